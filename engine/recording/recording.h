@@ -1,0 +1,38 @@
+#pragma once
+// Reads a recorded run. Frames are read one at a time, so memory does not grow with the length of the run.
+// Thread contract: one thread at a time per object. Errors: throws RecordingError with one sentence that names the file.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/recording/recorder.h"
+
+namespace netpocket {
+
+class Recording {
+ public:
+  explicit Recording(const std::string& path);
+  ~Recording();
+  Recording(Recording&&) noexcept;
+  Recording& operator=(Recording&&) noexcept;
+
+  const std::string& path() const;
+  const RunOrigin& origin() const;
+  const Structure& structure() const;
+  const RunStatus& status() const;          // reason `running` when the run was cut off
+  const RunStatistics& statistics() const;
+
+  std::size_t frame_count() const;
+  const std::vector<double>& times() const;            // s, by frame
+  const std::vector<double>& channel(Channel c) const;  // by frame
+  Snapshot frame(std::size_t index) const;
+  // Index of the frame nearest to a time.
+  std::size_t frame_at(double time) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace netpocket

@@ -1,0 +1,42 @@
+#pragma once
+// The numbers a run is judged by, computed from its channels.
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace netpocket {
+
+class Recording;
+
+struct RunSummary {
+  bool captured = false;                      // the target is inside the closed pocket at the end, and never left it
+  std::optional<double> first_contact_time;   // s
+  Eigen::Vector3d peak_force{0, 0, 0};        // N, largest |component| of the contact force on the target, with its sign
+  double peak_time_y = 0;                     // s, when |F_y| peaks
+  Eigen::Vector3d impulse{0, 0, 0};           // N s, integral of the contact force on the target
+  double energy_error = 0;                    // largest |energy_error| / energy put in
+  double averaging_window = 0;                // s, over which the recorded forces are means
+};
+
+RunSummary summarize(const Recording& recording);
+
+struct FindingCase {
+  std::string name;   // scenario name
+  std::string value;  // what was found, with unit
+  bool holds = false;
+};
+
+struct Finding {
+  std::string id;    // "F1"
+  std::string text;  // the paper's statement
+  std::string rule;  // how it is decided from the recording
+  std::vector<FindingCase> cases;
+};
+
+// F1-F11 of the paper (Tang et al. 2023, section 4.2 and conclusions) for these runs, by the rules stated in each.
+// Findings that compare runs (F3, F4, F5) hold or fail for all runs together.
+std::vector<Finding> evaluate_findings(const std::vector<const Recording*>& recordings);
+
+}  // namespace netpocket
