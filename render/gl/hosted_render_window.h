@@ -1,0 +1,41 @@
+#pragma once
+// A VTK render window that draws in a GlHost's context instead of making one.
+// Thread contract: the host's thread.
+
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkSmartPointer.h>
+
+#include <memory>
+
+#include "render/gl/gl_host.h"
+
+namespace netpocket {
+
+class HostedRenderWindow : public vtkGenericOpenGLRenderWindow {
+ public:
+  static HostedRenderWindow* New();
+  vtkTypeMacro(HostedRenderWindow, vtkGenericOpenGLRenderWindow) HostedRenderWindow(const HostedRenderWindow&) = delete;
+  HostedRenderWindow& operator=(const HostedRenderWindow&) = delete;
+
+  // A window without multisampling (VTK's FXAA draws black with it) whose finished picture stays in its own
+  // framebuffer, for ReadPixels or BlitDisplayFramebuffer. Sizes are in pixels.
+  static vtkSmartPointer<HostedRenderWindow> make(std::shared_ptr<GlHost> host, int width, int height);
+
+  // Frees the window's OpenGL objects and lets go of the host; a new host may be given later.
+  void release_host();
+  void set_host(std::shared_ptr<GlHost> host);
+
+  void MakeCurrent() override;
+  bool IsCurrent() override;
+  int SupportsOpenGL() override { return 1; }
+  vtkTypeBool IsDirect() override { return 1; }
+
+ protected:
+  HostedRenderWindow() = default;
+  ~HostedRenderWindow() override;
+
+ private:
+  std::shared_ptr<GlHost> host_;
+};
+
+}  // namespace netpocket
