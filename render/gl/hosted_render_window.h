@@ -13,8 +13,11 @@ namespace netpocket {
 
 class HostedRenderWindow : public vtkGenericOpenGLRenderWindow {
  public:
-  static HostedRenderWindow* New();
-  vtkTypeMacro(HostedRenderWindow, vtkGenericOpenGLRenderWindow) HostedRenderWindow(const HostedRenderWindow&) = delete;
+  // clang-format off
+  vtkTypeMacro(HostedRenderWindow, vtkGenericOpenGLRenderWindow)
+      // clang-format on
+      static HostedRenderWindow* New();
+  HostedRenderWindow(const HostedRenderWindow&) = delete;
   HostedRenderWindow& operator=(const HostedRenderWindow&) = delete;
 
   // A window without multisampling (VTK's FXAA draws black with it) whose finished picture stays in its own
