@@ -1,0 +1,122 @@
+#include "engine/bodies/shape.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/bodies/symmetric_algebra.h"
+
+namespace netpocket {
+namespace {
+
+using Eigen::Vector3d;
+
+// Below this a squared length has lost its digits to underflow and gives no direction.
+constexpr double kSmallestSquare = std::numeric_limits<double>::min();
+
+double sign(double value) { return std::copysign(1.0, value); }
+
+SurfacePoint nearest(const Sphere& sphere, const Vector3d& point) {
+  const double square = symmetric_squared_norm(point);
+  if (square < kSmallestSquare) return {-sphere.radius, Vector3d::UnitY()};
+  const double distance = std::sqrt(square);
+  return {distance - sphere.radius, point / distance};
+}
+
+// The face that is nearest to a point inside. `excess` is |point| less the half edges, none positive. At equal
+// distances y goes first; between x and z the choice alternates from quadrant to quadrant, so that it turns with the
+// box.
+int nearest_face_axis(const Vector3d& excess, const Vector3d& point) {
+  if (excess.y() >= std::max(excess.x(), excess.z())) return 1;
+  if (excess.x() == excess.z()) return point.x() * point.z() > 0 ? 0 : 2;
+  return excess.x() > excess.z() ? 0 : 2;
+}
+
+SurfacePoint nearest(const Box& box, const Vector3d& point) {
+  const Vector3d excess = point.cwiseAbs() - 0.5 * box.size;
+  const Vector3d outside = excess.cwiseMax(0.0);
+  const double square = symmetric_squared_norm(outside);
+  if (square >= kSmallestSquare) {
+    const double distance = std::sqrt(square);
+    return {distance, (outside / distance).cwiseProduct(point.unaryExpr(&sign))};
+  }
+  const int axis = nearest_face_axis(excess, point);
+  return {excess[axis], sign(point[axis]) * Vector3d::Unit(axis)};
+}
+
+SurfacePoint nearest(const Cylinder& cylinder, const Vector3d& point) {
+  const double radial_square = point.x() * point.x() + point.z() * point.z();
+  const double radius = std::sqrt(radial_square);
+  const Vector3d radial =
+      radial_square < kSmallestSquare ? Vector3d::UnitX() : Vector3d(point.x() / radius, 0, point.z() / radius);
+  const Vector3d axial = sign(point.y()) * Vector3d::UnitY();
+
+  const double flank = radius - cylinder.radius;
+  const double end = std::abs(point.y()) - 0.5 * cylinder.length;
+  const double outside_flank = std::max(flank, 0.0);
+  const double outside_end = std::max(end, 0.0);
+  const double square = outside_flank * outside_flank + outside_end * outside_end;
+  if (square >= kSmallestSquare) {
+    const double distance = std::sqrt(square);
+    return {distance, (outside_flank / distance) * radial + (outside_end / distance) * axial};
+  }
+  if (end >= flank) return {end, axial};
+  return {flank, radial};
+}
+
+double smallest_radius(const Sphere& sphere) { return sphere.radius; }
+double smallest_radius(const Box& box) { return 0.5 * box.size.minCoeff(); }
+double smallest_radius(const Cylinder& cylinder) { return cylinder.radius; }
+
+double outer_radius(const Sphere& sphere) { return sphere.radius; }
+double outer_radius(const Box& box) { return 0.5 * symmetric_norm(box.size); }
+double outer_radius(const Cylinder& cylinder) { return std::hypot(cylinder.radius, 0.5 * cylinder.length); }
+
+// Half the edges of the bounding box along the world axes.
+Vector3d half_extent(const Sphere& sphere, const Eigen::Matrix3d&) { return Vector3d::Constant(sphere.radius); }
+Vector3d half_extent(const Box& box, const Eigen::Matrix3d& rotation) {
+  return symmetric_product(rotation.cwiseAbs(), 0.5 * box.size);
+}
+Vector3d half_extent(const Cylinder& cylinder, const Eigen::Matrix3d& rotation) {
+  // A disc across the unit vector a reaches R sqrt(1 - a_i^2) along axis i; its rim vectors span the other two columns.
+  const Vector3d rim = (rotation.col(0).cwiseAbs2() + rotation.col(2).cwiseAbs2()).cwiseSqrt();
+  return cylinder.radius * rim + 0.5 * cylinder.length * rotation.col(1).cwiseAbs();
+}
+
+// Inertia per unit of mass of the solid shape.
+Vector3d squared_gyration(const Sphere& sphere) { return Vector3d::Constant(0.4 * sphere.radius * sphere.radius); }
+Vector3d squared_gyration(const Box& box) {
+  const Vector3d square = box.size.cwiseAbs2() / 12.0;
+  return {square.y() + square.z(), square.z() + square.x(), square.x() + square.y()};
+}
+Vector3d squared_gyration(const Cylinder& cylinder) {
+  const double square = cylinder.radius * cylinder.radius;
+  const double across = 0.25 * square + cylinder.length * cylinder.length / 12.0;
+  return {across, 0.5 * square, across};
+}
+
+}  // namespace
+
+SurfacePoint nearest_surface_point(const Shape& shape, const Vector3d& point) {
+  return std::visit([&](const auto& s) { return nearest(s, point); }, shape);
+}
+
+double contact_radius(const Shape& shape) {
+  return std::visit([](const auto& s) { return smallest_radius(s); }, shape);
+}
+
+double bounding_radius(const Shape& shape) {
+  return std::visit([](const auto& s) { return outer_radius(s); }, shape);
+}
+
+Eigen::AlignedBox3d bounding_box(const Shape& shape, const Vector3d& position, const Eigen::Matrix3d& rotation) {
+  const Vector3d half = std::visit([&](const auto& s) { return half_extent(s, rotation); }, shape);
+  return {position - half, position + half};
+}
+
+Eigen::Matrix3d solid_inertia(const Shape& shape, double mass) {
+  const Vector3d square = std::visit([](const auto& s) { return squared_gyration(s); }, shape);
+  return (mass * square).asDiagonal();
+}
+
+}  // namespace netpocket
