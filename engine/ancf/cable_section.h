@@ -1,0 +1,23 @@
+#pragma once
+// Cross-section of a cable: what the element formulas need to know of its material.
+
+namespace netpocket {
+
+struct CableSection {
+  double EA = 0;               // N, axial stiffness
+  double EI = 0;               // N m^2, bending stiffness
+  double mass_per_length = 0;  // kg/m
+  double axial_damping = 0;    // s, c of EA (eps + c d(eps)/dt)
+  double bending_damping = 0;  // s, c of EI (kappa + c d(kappa)/dt)
+  double compression = 1;      // fraction of EA that acts where eps < 0: 1 = full, 0 = tension only
+
+  // Axial stiffness at the strain `eps`, N.
+  double axial_stiffness(double eps) const { return eps < 0 ? compression * EA : EA; }
+};
+
+// Damping of bending acts on the rate of a magnitude, d|s|/dt = s.ds/dt / |s|, which has no direction to act in when
+// s = 0. The square of this number (s in radians) is added to s.s. It is the round-off of a chord's direction
+// (positions of 10 m, elements of 0.1 m: 1e-14) and a margin, far below any bending that matters.
+inline constexpr double kBendingRoundOff = 1e-13;
+
+}  // namespace netpocket
