@@ -1,0 +1,37 @@
+#include <cairo.h>
+
+#include "render/figures/figure.h"
+#include "render/figures/figure_style.h"
+#include "render/figures/panel_layout.h"
+#include "render/figures/panel_painter.h"
+
+namespace netpocket {
+namespace {
+
+// "(a)", "(b)", ...; none for a single panel or beyond "(z)".
+std::string panel_letter(std::size_t index, std::size_t count) {
+  if (count < 2 || index >= 26) return "";
+  return std::string("(") + static_cast<char>('a' + index) + ")";
+}
+
+}  // namespace
+
+void draw_figure(const Figure& figure, cairo_t* context, double width, double height) {
+  cairo_save(context);
+  cairo_set_source_rgb(context, 1, 1, 1);
+  cairo_rectangle(context, 0, 0, width, height);
+  cairo_fill(context);
+
+  const double title_height = figure.title.empty() ? 0 : style::kFigureTitle.size * kLineHeight + style::kGap;
+  draw_text(context, figure.title, style::kFigureTitle, width / 2,
+            style::kOuterMargin + kCapHeight * style::kFigureTitle.size, TextAlign::centre);
+  const Box area{style::kOuterMargin, style::kOuterMargin + title_height, width - 2 * style::kOuterMargin,
+                 height - 2 * style::kOuterMargin - title_height};
+  const std::vector<PanelLayout> layouts = lay_out_panels(figure, context, area);
+  for (std::size_t i = 0; i < layouts.size(); ++i) {
+    paint_panel(context, figure.panels[i], layouts[i], panel_letter(i, layouts.size()));
+  }
+  cairo_restore(context);
+}
+
+}  // namespace netpocket

@@ -1,0 +1,74 @@
+#pragma once
+// A figure as a plain value: panels in a grid, each with axes, curves and phase bands, at a printed size. Drawing does
+// not change it, so the same figure can go to a file, a window and a test.
+//
+// Texts are rich text (rich_text.h): *italic*, _{subscript}, ^{superscript}. Pass names that come from a user through
+// plain_text(). Lengths on paper are in points (1/72 inch) unless the name says millimetres.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "render/figures/palette.h"
+
+struct _cairo;
+
+namespace netpocket {
+
+enum class Marker { none, circle, square };
+
+// A line through (x[i], y[i]) in data units. A value that is not finite leaves a gap.
+struct Curve {
+  std::vector<double> x;
+  std::vector<double> y;
+  FigureColour colour = kBlack;
+  double width = 0.9;            // points
+  std::vector<double> dash;      // on, off, ... in points; empty: solid
+  Marker marker = Marker::none;  // drawn at every point, instead of a line when there is only one
+  std::string label;             // legend entry; empty: none
+};
+
+// A stretch of the x axis with a light tint, a label at the top and a dashed line where it begins.
+struct PhaseBand {
+  double begin = 0;
+  double end = 0;
+  std::string label;
+  FigureColour colour;
+};
+
+// One axis. Without limits they follow from the curves: tight in x, with a margin in y.
+struct PanelAxis {
+  std::string title;  // quantity and unit, e.g. "Time (s)"
+  std::optional<double> low;
+  std::optional<double> high;
+  double minimum_span = 0;  // shows smaller variations, such as round-off, as the flat line they are
+};
+
+struct Panel {
+  std::string title;
+  PanelAxis x;
+  PanelAxis y;
+  std::vector<Curve> curves;      // drawn in this order
+  std::vector<PhaseBand> phases;  // from left to right
+  std::string note = "no data";   // shown instead of curves when no point is finite
+  int y_group = -1;               // panels of one group (>= 0) share their y limits
+};
+
+struct Figure {
+  std::string title;
+  std::vector<Panel> panels;  // row by row
+  int columns = 1;
+  double width_mm = 180;  // a journal's two-column width
+  double height_mm = 70;
+
+  double width() const { return width_mm * 72 / 25.4; }    // points
+  double height() const { return height_mm * 72 / 25.4; }  // points
+};
+
+// Draws the figure on a white ground into the rectangle (0, 0, width, height) of the context's user space, whose unit
+// is taken as one point: text keeps its size, the panels fill what is left. For a screen, cairo_scale() first. The
+// context's state is restored. Works on any Cairo surface; on image surfaces long curves are reduced to what the pixels
+// can show. Thread contract: one thread at a time per context.
+void draw_figure(const Figure& figure, struct _cairo* context, double width, double height);
+
+}  // namespace netpocket

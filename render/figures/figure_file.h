@@ -1,0 +1,30 @@
+#pragma once
+// Figures as files.
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "render/figures/figure.h"
+#include "render/figures/figure_error.h"
+
+namespace netpocket {
+
+enum class FigureFormat { png, svg, pdf };
+
+inline constexpr double kPrintResolution = 300;  // dots per inch
+
+// "png", "svg" or "pdf", with or without a leading dot. Throws FigureError on any other name.
+FigureFormat figure_format(std::string_view name);
+const char* to_string(FigureFormat format);
+
+// The figure as the bytes of a file. `resolution` (dots per inch) matters for PNG only, which also states it inside.
+// SVG has glyphs as outlines, so it looks the same without the fonts; PDF embeds them, so its text can be searched.
+// Throws FigureError when the picture would be larger than Cairo can make.
+std::string encode_figure(const Figure& figure, FigureFormat format, double resolution = kPrintResolution);
+
+// Writes the file in the format of its extension: first under a temporary name in the same directory, so that a reader
+// never sees half a figure and a failure leaves an older file alone. Throws FigureError.
+void save_figure(const Figure& figure, const std::filesystem::path& path, double resolution = kPrintResolution);
+
+}  // namespace netpocket

@@ -1,0 +1,29 @@
+#pragma once
+// Where the parts of a panel go: limits, ticks and the frame.
+
+#include <cairo.h>
+
+#include <optional>
+
+#include "render/figures/axis_ticks.h"
+#include "render/figures/figure.h"
+#include "render/figures/polyline.h"
+
+namespace netpocket {
+
+struct PanelLayout {
+  Box frame;
+  AxisLimits x_limits;
+  AxisLimits y_limits;
+  AxisTicks x_ticks;
+  AxisTicks y_ticks;
+  double y_title_baseline = 0;  // x of the upward axis title, the same for a column of panels
+  bool has_data = false;
+
+  PaperMap map() const;
+};
+
+// The frames of all panels, aligned in rows and columns, with limits and ticks that suit their size.
+std::vector<PanelLayout> lay_out_panels(const Figure& figure, cairo_t* context, const Box& area);
+
+}  // namespace netpocket

@@ -1,0 +1,357 @@
+#include "render/figures/paper_figures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "render/figures/axis_ticks.h"
+#include "render/figures/rich_text.h"
+
+namespace netpocket {
+namespace {
+
+using Runs = std::vector<RunSeries>;
+
+constexpr double kRowHeight = 62;              // mm
+constexpr double kTitleHeight = 8;             // mm
+constexpr std::size_t kPanelsAcross = 3;       // side by side, more runs start another row
+constexpr double kSmallestMotion = 1e-9;       // m, less is round-off
+constexpr double kSmallestAxialMotion = 1e-3;  // m, keeps a body at rest on a readable scale
+constexpr double kSmallestForce = 1e-6;        // N, less is round-off
+constexpr const char* kTimeTitle = "Time *t* (s)";
+
+// ---- pieces ----
+
+Curve channel_curve(const RunSeries& run, Channel channel, FigureColour colour, std::string label) {
+  Curve curve;
+  curve.x = run.times();
+  curve.y = run.channel(channel);
+  curve.colour = colour;
+  curve.label = std::move(label);
+  return curve;
+}
+
+double last_time(const RunSeries& run) { return run.times().empty() ? 0 : run.times().back(); }
+
+std::vector<PhaseBand> phases(double closing_end, double towing_start, double end) {
+  std::vector<PhaseBand> bands;
+  const bool knows_closing = std::isfinite(closing_end);
+  const bool tows = std::isfinite(towing_start) && towing_start < end;
+  if (knows_closing) bands.push_back({0, closing_end, "closing", kClosingBlue});
+  if (knows_closing && closing_end < end) {
+    const double hold_end = tows ? towing_start : end;
+    if (hold_end > closing_end) bands.push_back({closing_end, hold_end, "hold", kGrey});
+  }
+  if (tows) bands.push_back({towing_start, end, "towing", kTowingRed});
+  return bands;
+}
+
+std::vector<PhaseBand> phases(const RunSeries& run) {
+  return phases(run.closing_end, run.towing_start, last_time(run));
+}
+
+// The value all runs agree on, else NaN.
+double common(const Runs& runs, double RunSeries::*value) {
+  if (runs.empty()) return NAN;
+  const double first = runs.front().*value;
+  const bool same = std::all_of(runs.begin(), runs.end(), [&](const RunSeries& run) { return run.*value == first; });
+  return same ? first : NAN;
+}
+
+// Phases that hold for all runs.
+std::vector<PhaseBand> common_phases(const Runs& runs) {
+  double end = 0;
+  for (const RunSeries& run : runs) end = std::max(end, last_time(run));
+  return phases(common(runs, &RunSeries::closing_end), common(runs, &RunSeries::towing_start), end);
+}
+
+Panel time_panel(std::string title, std::string y_title, std::vector<PhaseBand> bands) {
+  Panel panel;
+  panel.title = std::move(title);
+  panel.x.title = kTimeTitle;
+  panel.y.title = std::move(y_title);
+  panel.phases = std::move(bands);
+  return panel;
+}
+
+std::string run_name(const RunSeries& run) { return plain_text(run.name); }
+
+// ", case 1" for one run, nothing for several.
+std::string only_run(const Runs& runs) { return runs.size() == 1 ? ": " + run_name(runs.front()) : ""; }
+
+Figure grid(std::string title, std::vector<Panel> panels, std::size_t columns) {
+  Figure figure;
+  figure.title = std::move(title);
+  figure.columns = static_cast<int>(std::max<std::size_t>(columns, 1));
+  const std::size_t rows = (panels.size() + columns - 1) / std::max<std::size_t>(columns, 1);
+  figure.height_mm = kTitleHeight + kRowHeight * static_cast<double>(std::max<std::size_t>(rows, 1));
+  figure.panels = std::move(panels);
+  return figure;
+}
+
+// One curve of a channel for each run; labelled when there are several.
+void add_run_curves(Panel& panel, const Runs& runs, Channel channel) {
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    panel.curves.push_back(channel_curve(runs[i], channel, run_colour(i), runs.size() > 1 ? run_name(runs[i]) : ""));
+  }
+}
+
+// ---- Figure 3 ----
+
+// The commanded law as a broad pale line under the measured one, so that both show where they coincide.
+Panel closing_panel(const Runs& runs, Channel commanded, Channel measured, std::string title, std::string y_title) {
+  Panel panel = time_panel(std::move(title), std::move(y_title), common_phases(runs));
+  const bool single = runs.size() == 1;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    Curve curve = channel_curve(runs[i], commanded, lighter(run_colour(i), 0.6), single ? "commanded" : "");
+    curve.width = 3;
+    panel.curves.push_back(curve);
+  }
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    panel.curves.push_back(channel_curve(runs[i], measured, run_colour(i), single ? "measured" : run_name(runs[i])));
+  }
+  return panel;
+}
+
+Figure closing_figure(const Runs& runs) {
+  return grid("Closing of the mouth" + only_run(runs),
+              {closing_panel(runs, Channel::commanded_length, Channel::closing_length, "Distance of adjacent rod tips",
+                             "Distance *L* (m)"),
+               closing_panel(runs, Channel::commanded_speed, Channel::closing_speed, "Speed of closing",
+                             "Speed d*L*/d*t* (m/s)")},
+              2);
+}
+
+// ---- Figures 5 and 9 ----
+
+// Marks the largest |F_y|; no curve when there is no force.
+std::vector<Curve> peak_marker(const RunSeries& run) {
+  const std::vector<double>& force = run.channel(Channel::contact_fy);
+  std::size_t peak = force.size();
+  for (std::size_t i = 0; i < std::min(force.size(), run.times().size()); ++i) {
+    if (!std::isfinite(force[i]) || std::abs(force[i]) < kSmallestForce) continue;
+    if (peak == force.size() || std::abs(force[i]) > std::abs(force[peak])) peak = i;
+  }
+  if (peak == force.size()) return {};
+  Curve curve;
+  curve.x = {run.times()[peak]};
+  curve.y = {force[peak]};
+  curve.colour = kBlack;
+  curve.marker = Marker::circle;
+  curve.label = fmt::format("{} N at {} s", number_text(force[peak], 1), number_text(curve.x[0], 2));
+  return {curve};
+}
+
+Panel force_panel(const RunSeries& run, std::string title) {
+  Panel panel = time_panel(std::move(title), "Contact force on the target (N)", phases(run));
+  panel.y.minimum_span = kSmallestForce;
+  panel.y_group = 0;
+  panel.curves = {channel_curve(run, Channel::contact_fx, kOrange, "*F*_{x}"),
+                  channel_curve(run, Channel::contact_fy, kBlue, "*F*_{y}"),
+                  channel_curve(run, Channel::contact_fz, kGreen, "*F*_{z}")};
+  for (Curve& curve : peak_marker(run)) panel.curves.push_back(curve);
+  return panel;
+}
+
+Figure force_figure(const Runs& runs) {
+  std::vector<Panel> panels;
+  for (const RunSeries& run : runs) panels.push_back(force_panel(run, runs.size() > 1 ? run_name(run) : ""));
+  return grid("Contact force on the target" + only_run(runs), panels, std::min(panels.size(), kPanelsAcross));
+}
+
+// ---- Figures 6, 10 and 11 ----
+
+struct BodyChannels {
+  const char* name;
+  Channel x;
+  Channel y;
+  Channel z;
+};
+
+constexpr BodyChannels kTarget = {"Target", Channel::target_x, Channel::target_y, Channel::target_z};
+constexpr BodyChannels kSpacecraft = {"Spacecraft", Channel::spacecraft_x, Channel::spacecraft_y,
+                                      Channel::spacecraft_z};
+
+// The part of a curve from `begin` to `end`, both included.
+Curve between(const Curve& curve, double begin, double end) {
+  Curve part = curve;
+  part.x.clear();
+  part.y.clear();
+  for (std::size_t i = 0; i < std::min(curve.x.size(), curve.y.size()); ++i) {
+    if (curve.x[i] < begin || curve.x[i] > end) continue;
+    part.x.push_back(curve.x[i]);
+    part.y.push_back(curve.y[i]);
+  }
+  return part;
+}
+
+// Y by phase: blue until towing starts, red from there on.
+Panel axial_panel(const RunSeries& run, const BodyChannels& body, std::string title) {
+  Panel panel = time_panel(std::move(title), "Position *Y* (m)", phases(run));
+  panel.y.minimum_span = kSmallestAxialMotion;
+  const Curve whole = channel_curve(run, body.y, kClosingBlue, "");
+  const double towing_start = std::isfinite(run.towing_start) ? run.towing_start : INFINITY;
+  panel.curves = {between(whole, -INFINITY, towing_start), between(whole, towing_start, INFINITY)};
+  panel.curves.back().colour = kTowingRed;
+  return panel;
+}
+
+Panel lateral_panel(const RunSeries& run, const BodyChannels& body, std::string title) {
+  Panel panel = time_panel(std::move(title), "Position *X*, *Z* (m)", phases(run));
+  panel.y.minimum_span = kSmallestMotion;
+  panel.curves = {channel_curve(run, body.x, kOrange, "*X*"), channel_curve(run, body.z, kGreen, "*Z*")};
+  return panel;
+}
+
+void add_body_row(std::vector<Panel>& panels, const RunSeries& run, const BodyChannels& body, const std::string& name) {
+  panels.push_back(axial_panel(run, body, name + ", along the pocket's axis"));
+  panels.push_back(lateral_panel(run, body, name + ", across it"));
+}
+
+void add_overlay_row(std::vector<Panel>& panels, const Runs& runs, const BodyChannels& body) {
+  const std::string name = body.name;
+  Panel axial = time_panel(name + ", along the pocket's axis", "Position *Y* (m)", common_phases(runs));
+  axial.y.minimum_span = kSmallestAxialMotion;
+  add_run_curves(axial, runs, body.y);
+
+  Panel lateral = time_panel(name + ", across it", "Position *X*, *Z* (m)", common_phases(runs));
+  lateral.y.minimum_span = kSmallestMotion;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    lateral.curves.push_back(channel_curve(runs[i], body.x, run_colour(i), "*X* " + run_name(runs[i])));
+  }
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    lateral.curves.push_back(channel_curve(runs[i], body.z, run_colour(i), "*Z* " + run_name(runs[i])));
+    lateral.curves.back().dash = {3, 1.5};
+  }
+  panels.push_back(axial);
+  panels.push_back(lateral);
+}
+
+Figure position_figure(const Runs& runs) {
+  std::vector<Panel> panels;
+  for (const BodyChannels& body : {kTarget, kSpacecraft}) {
+    if (runs.size() == 1) {
+      add_body_row(panels, runs.front(), body, body.name);
+    } else {
+      add_overlay_row(panels, runs, body);
+    }
+  }
+  return grid("Positions of target and spacecraft" + only_run(runs), panels, 2);
+}
+
+Figure body_figure(const Runs& runs, const BodyChannels& body, const std::string& title) {
+  std::vector<Panel> panels;
+  for (const RunSeries& run : runs) add_body_row(panels, run, body, runs.size() > 1 ? run_name(run) : body.name);
+  for (std::size_t i = 0; i < panels.size(); i += 2) panels[i].y_group = 0;  // the same scale of Y for every run
+  return grid(title + only_run(runs), panels, 2);
+}
+
+Figure target_figure(const Runs& runs) { return body_figure(runs, kTarget, "Position of the target"); }
+Figure spacecraft_figure(const Runs& runs) { return body_figure(runs, kSpacecraft, "Position of the spacecraft"); }
+
+// ---- energy and tension ----
+
+double largest_size(const std::vector<double>& values) {
+  double largest = 0;
+  for (const double value : values) {
+    if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+  }
+  return largest;
+}
+
+std::string error_title(const RunSeries& run) {
+  const double input = largest_size(run.channel(Channel::energy_input));
+  if (input <= 0) return "error of the balance";
+  const double percent = 100 * largest_size(run.channel(Channel::energy_error)) / input;
+  return fmt::format("error of the balance, at most {:.2g} % of the input", percent);
+}
+
+void add_energy_row(std::vector<Panel>& panels, const RunSeries& run, const std::string& name) {
+  Panel balance = time_panel(name + "balance", "Energy (J)", phases(run));
+  balance.curves = {channel_curve(run, Channel::energy_input, kBlack, "put in"),
+                    channel_curve(run, Channel::energy_kinetic, kBlue, "kinetic"),
+                    channel_curve(run, Channel::energy_strain, kVermillion, "strain"),
+                    channel_curve(run, Channel::energy_dissipated, kGreen, "dissipated")};
+  Panel error = time_panel(name + error_title(run), "Energy error (J)", phases(run));
+  error.curves = {channel_curve(run, Channel::energy_error, kPurple, "")};
+  panels.push_back(balance);
+  panels.push_back(error);
+}
+
+Figure energy_figure(const Runs& runs) {
+  std::vector<Panel> panels;
+  for (const RunSeries& run : runs) add_energy_row(panels, run, runs.size() > 1 ? run_name(run) + ": " : "");
+  return grid("Energy" + only_run(runs), panels, 2);
+}
+
+Figure tension_figure(const Runs& runs) {
+  Panel net = time_panel("Largest tension in a net cord", "Tension (N)", common_phases(runs));
+  Panel rope = time_panel("Tension in the closing ropes, mean", "Tension (N)", common_phases(runs));
+  add_run_curves(net, runs, Channel::rope_tension_max);
+  add_run_curves(rope, runs, Channel::closing_tension);
+  return grid("Tension" + only_run(runs), {net, rope}, 2);
+}
+
+// ---- names ----
+
+struct NamedFigure {
+  const char* name;
+  Figure (*make)(const Runs&);
+};
+
+constexpr std::array<NamedFigure, 8> kFigures = {{{"figure03_closing", closing_figure},
+                                                  {"figure05_force", force_figure},
+                                                  {"figure06_position", position_figure},
+                                                  {"figure09_force", force_figure},
+                                                  {"figure10_target_position", target_figure},
+                                                  {"figure11_spacecraft_position", spacecraft_figure},
+                                                  {"energy", energy_figure},
+                                                  {"tension", tension_figure}}};
+
+// How much two names have in common: letters in the same order (longest common subsequence) over their mean length. A
+// part of a name, such as "force", is closer to the whole than an edit distance would say.
+double likeness(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1, 0);
+  for (const char letter : a) {
+    std::size_t diagonal = 0;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t above = row[j];
+      row[j] = letter == b[j - 1] ? diagonal + 1 : std::max(above, row[j - 1]);
+      diagonal = above;
+    }
+  }
+  return 2.0 * static_cast<double>(row.back()) / static_cast<double>(a.size() + b.size());
+}
+
+}  // namespace
+
+const std::vector<std::string>& figure_names() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> list;
+    for (const NamedFigure& figure : kFigures) list.emplace_back(figure.name);
+    return list;
+  }();
+  return names;
+}
+
+std::vector<std::string> default_figure_names(std::size_t run_count) {
+  const std::string left_out = run_count > 1 ? "figure05_force" : "figure09_force";
+  std::vector<std::string> names = figure_names();
+  std::erase(names, left_out);
+  return names;
+}
+
+Figure make_figure(std::string_view name, const std::vector<RunSeries>& runs) {
+  const std::vector<RunSeries> shown = runs.empty() ? std::vector<RunSeries>(1) : runs;
+  for (const NamedFigure& figure : kFigures) {
+    if (name == figure.name) return figure.make(shown);
+  }
+  const auto nearest = std::max_element(kFigures.begin(), kFigures.end(), [&](const auto& a, const auto& b) {
+    return likeness(name, a.name) < likeness(name, b.name);
+  });
+  throw FigureError(fmt::format("unknown figure '{}'; did you mean '{}'?", name, nearest->name));
+}
+
+}  // namespace netpocket

@@ -1,0 +1,101 @@
+#include "render/figures/rich_text.h"
+
+namespace netpocket {
+namespace {
+
+constexpr double kScriptSize = 0.7;
+constexpr double kSuperscriptRise = 0.38;
+constexpr double kSubscriptDrop = 0.16;
+
+void select_face(cairo_t* context, const TextRun& run, const TextStyle& style) {
+  cairo_select_font_face(context, "DejaVu Sans", run.italic ? CAIRO_FONT_SLANT_ITALIC : CAIRO_FONT_SLANT_NORMAL,
+                         style.bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+  cairo_set_font_size(context, run.script == 0 ? style.size : kScriptSize * style.size);
+  cairo_font_options_t* options = cairo_font_options_create();
+  cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
+  cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
+  cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
+  cairo_set_font_options(context, options);
+  cairo_font_options_destroy(options);
+}
+
+double advance(cairo_t* context, const TextRun& run, const TextStyle& style) {
+  select_face(context, run, style);
+  cairo_text_extents_t extents;
+  cairo_text_extents(context, run.text.c_str(), &extents);
+  return extents.x_advance;
+}
+
+double baseline_shift(const TextRun& run, const TextStyle& style) {
+  if (run.script > 0) return -kSuperscriptRise * style.size;
+  if (run.script < 0) return kSubscriptDrop * style.size;
+  return 0;
+}
+
+}  // namespace
+
+std::vector<TextRun> parse_rich_text(std::string_view markup) {
+  std::vector<TextRun> runs;
+  TextRun current;
+  const auto start_run = [&](bool italic, int script) {
+    if (!current.text.empty()) runs.push_back(current);
+    current = {"", italic, script};
+  };
+  for (std::size_t i = 0; i < markup.size(); ++i) {
+    const char c = markup[i];
+    const bool opens_script = (c == '_' || c == '^') && i + 1 < markup.size() && markup[i + 1] == '{';
+    if (c == '\\' && i + 1 < markup.size()) {
+      current.text += markup[++i];
+    } else if (c == '*') {
+      start_run(!current.italic, current.script);
+    } else if (opens_script) {
+      start_run(current.italic, c == '_' ? -1 : +1);
+      ++i;
+    } else if (c == '}' && current.script != 0) {
+      start_run(current.italic, 0);
+    } else {
+      current.text += c;
+    }
+  }
+  start_run(false, 0);
+  return runs;
+}
+
+std::string plain_text(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (c == '*' || c == '_' || c == '^' || c == '\\') escaped += '\\';
+    escaped += c;
+  }
+  return escaped;
+}
+
+double text_width(cairo_t* context, std::string_view markup, const TextStyle& style) {
+  double width = 0;
+  for (const TextRun& run : parse_rich_text(markup)) width += advance(context, run, style);
+  return width;
+}
+
+void draw_text(cairo_t* context, std::string_view markup, const TextStyle& style, double x, double y, TextAlign align) {
+  const double width = text_width(context, markup, style);
+  if (align == TextAlign::centre) x -= width / 2;
+  if (align == TextAlign::right) x -= width;
+  cairo_set_source_rgb(context, style.colour.red, style.colour.green, style.colour.blue);
+  for (const TextRun& run : parse_rich_text(markup)) {
+    const double run_width = advance(context, run, style);
+    cairo_move_to(context, x, y + baseline_shift(run, style));
+    cairo_show_text(context, run.text.c_str());
+    x += run_width;
+  }
+  cairo_new_path(context);
+}
+
+void draw_upward_text(cairo_t* context, std::string_view markup, const TextStyle& style, double x, double y) {
+  cairo_save(context);
+  cairo_translate(context, x, y);
+  cairo_rotate(context, -1.5707963267948966);
+  draw_text(context, markup, style, 0, 0, TextAlign::centre);
+  cairo_restore(context);
+}
+
+}  // namespace netpocket
