@@ -1,0 +1,70 @@
+#pragma once
+// Which cable elements may touch which bodies, and which other elements.
+// Element boxes live in FCL's dynamic tree of bounding boxes (Pan, Chitta & Manocha 2012,
+// doi:10.1109/ICRA.2012.6225337). The lists hold everything nearer than `margin`, so they stay complete until something
+// has moved by half of it; only then are they built again. They depend on the boxes alone, in ascending order, never on
+// the tree's history.
+//
+//   if (broad_phase.advance(largest_speed * dt)) broad_phase.rebuild(element_boxes, bodies);
+//   for (int element : broad_phase.candidates(body)) ...
+//
+// World frame, m. Thread contract: one thread at a time.
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "engine/bodies/shape.h"
+
+namespace netpocket {
+
+struct PlacedShape {
+  Shape shape;
+  Eigen::Vector3d position;  // of its centre
+  Eigen::Matrix3d rotation;  // body axes to world axes
+};
+
+class BroadPhase {
+ public:
+  // Throws std::invalid_argument unless element_count >= 0 and margin > 0 (m).
+  BroadPhase(int element_count, double margin);
+  ~BroadPhase();
+  BroadPhase(BroadPhase&&) noexcept;
+  BroadPhase& operator=(BroadPhase&&) noexcept;
+
+  // Notes that since the previous call no point of an element or of a body's surface has moved by more than `distance`.
+  // True when the lists are no longer complete and must be rebuilt before they are used: at first, and each time the
+  // distances add up to more than half the margin.
+  bool advance(double distance);
+
+  // Builds the lists anew: one box per element that holds the whole cord, its radius included. Throws
+  // std::invalid_argument when the number of boxes is not element_count.
+  void rebuild(std::span<const Eigen::AlignedBox3d> elements, std::span<const PlacedShape> bodies);
+
+  // Elements that may touch a body (index into rebuild's `bodies`), ascending: those whose box is within the margin of
+  // the body's bounding box, less those whose box's circumscribed sphere is farther than the margin from the shape
+  // itself.
+  std::span<const int> candidates(int body) const { return candidates_[static_cast<std::size_t>(body)]; }
+
+  // Pairs of elements whose boxes are within the margin of each other along every axis, smaller index first, ascending.
+  // Neighbours in a net always are. Found when first asked for after a rebuild.
+  std::span<const std::pair<int, int>> pairs();
+
+  double margin() const { return margin_; }
+  int rebuild_count() const { return rebuild_count_; }
+
+ private:
+  struct Tree;
+  std::unique_ptr<Tree> tree_;
+  double margin_;
+  double travelled_;  // m, bound on any motion since the last rebuild
+  int rebuild_count_ = 0;
+  std::vector<std::vector<int>> candidates_;
+  std::vector<std::pair<int, int>> pairs_;
+  bool pairs_current_ = false;
+};
+
+}  // namespace netpocket

@@ -1,0 +1,90 @@
+#pragma once
+// Contact forces at one point: a Hertz spring with Antypov & Elliott's damper along the normal, Coulomb friction
+// across. Source: Tang et al. (2023), Appl. Sci. 13, 10377, section 3.3; the damper: Antypov & Elliott (2011), EPL 94,
+// 50004, doi:10.1209/0295-5075/94/50004.
+//
+// Signs: `penetration` d > 0 where the partners overlap; `separation_speed` v_n > 0 when they move apart, so that
+// ddot = -v_n; forces are pushes, positive when they drive the partners apart. SI units.
+// All functions are pure; the hot ones are inline and free of branches.
+
+#include <algorithm>
+#include <cmath>
+
+namespace netpocket {
+
+struct ElasticMaterial {
+  double youngs_modulus;  // Pa
+  double poisson_ratio;
+};
+
+// E_eff (Pa): 1/E_eff = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2.
+double effective_modulus(const ElasticMaterial& a, const ElasticMaterial& b);
+
+// r_eff (m): 1/r_eff = 1/r_1 + 1/r_2. A plane has an infinite radius.
+double effective_radius(double r1, double r2);
+
+// m_eff (kg): m_1 m_2/(m_1 + m_2). A body that cannot move has an infinite mass.
+double effective_mass(double m1, double m2);
+
+// K (N/m^1.5) = 4/3 E_eff sqrt(r_eff).
+double hertz_stiffness(double effective_modulus, double effective_radius);
+
+// alpha = -sqrt(5) ln c_r / sqrt(ln^2 c_r + pi^2) of Newton's coefficient of restitution c_r. sqrt(5) at c_r = 0 (and
+// below), 0 at c_r = 1 (and above). At exactly 0 the motion is critically damped: two bodies part with no speed.
+double restitution_damping(double restitution);
+
+// F_n = K d^1.5 + alpha sqrt(K m_eff) d^0.25 ddot for one pair of partners.
+struct NormalLaw {
+  double stiffness;  // K, N/m^1.5
+  double damping;    // alpha sqrt(K m_eff), N s/m^1.25
+};
+
+NormalLaw make_normal_law(double hertz_stiffness, double restitution, double effective_mass);
+
+// The law as written, N. It pulls at the end of a contact (the adhesive tail), which is what makes the rebound speed
+// exactly c_r times the speed of approach.
+inline double normal_force(const NormalLaw& law, double penetration, double separation_speed) {
+  const double root = std::sqrt(std::max(penetration, 0.0));
+  return law.stiffness * root * root * root - law.damping * std::sqrt(root) * separation_speed;
+}
+
+// The law with its adhesive tail cut off: never pulls. The rebound is a little faster than c_r (0.550 for 0.5).
+inline double repulsive_normal_force(const NormalLaw& law, double penetration, double separation_speed) {
+  return std::max(normal_force(law, penetration, separation_speed), 0.0);
+}
+
+// Force over the coming step of `dt` (s), N, from the law made linear about the present penetration and solved with the
+// speed at the end of the step, for this contact alone:
+//   F = (K d^1.5 - (k dt + D) v_n) / (1 + dt w (k dt + D)),  k = 1.5 K sqrt(d),  D = damping d^0.25.
+// `inverse_mass` w (1/kg) is the change of v_n by a unit impulse at the contact, both partners together. v_n should be
+// the speed after the other forces of the step have acted: then a loaded contact rests where its spring carries the
+// load (with the speed before, it rests deeper, by the factor 1 + dt w (k dt + D) in K d^1.5).
+// Never pulls; tends to repulsive_normal_force for dt -> 0; stable for any dt. A step never adds more kinetic energy
+// than the spring gives back: the tangent of a convex force lies below it.
+inline double semi_implicit_normal_force(const NormalLaw& law, double penetration, double separation_speed,
+                                         double inverse_mass, double dt) {
+  const double root = std::sqrt(std::max(penetration, 0.0));
+  const double elastic = law.stiffness * root * root * root;
+  const double resistance = 1.5 * law.stiffness * root * dt + law.damping * std::sqrt(root);
+  return std::max((elastic - resistance * separation_speed) / (1 + dt * inverse_mass * resistance), 0.0);
+}
+
+// Energy in the spring, J: 2/5 K d^2.5.
+inline double elastic_energy(const NormalLaw& law, double penetration) {
+  const double d = std::max(penetration, 0.0);
+  return 0.4 * law.stiffness * d * d * std::sqrt(d);
+}
+
+// Regularised Coulomb friction as a resistance c >= 0 (N s/m): the force on a partner is -c times its sliding velocity
+// relative to the other. c = mu F_n / max(v_t, v_f): the force grows in proportion below the friction velocity v_f
+// (m/s,
+// >= 0) and is mu F_n above. It is never larger than what stops the sliding within the step, v_t/(w_t dt), with
+// `inverse_mass` w_t (1/kg) the change of the sliding speed by a unit impulse: friction does not turn sliding round.
+inline double sliding_resistance(double friction_coefficient, double friction_velocity, double normal_force,
+                                 double sliding_speed, double inverse_mass, double dt) {
+  const double stopping = 1 / (inverse_mass * dt);
+  const double coulomb = friction_coefficient * normal_force / std::max(sliding_speed, friction_velocity);
+  return std::min(stopping, coulomb);  // in this order 0/0 (no force, no speed, v_f = 0) is harmless
+}
+
+}  // namespace netpocket
