@@ -7,10 +7,10 @@
 namespace netpocket {
 
 struct Diagnostic {
-  std::string file;     // as the user named it; empty for command-line settings
-  int line = 0;         // 1-based; 0 when it does not apply
-  std::string key;      // e.g. "net.diameter"; empty when it does not apply
-  std::string message;  // one sentence: what is wrong, what is allowed, the nearest valid name
+  std::string file{};     // as the user named it; empty for command-line settings
+  int line = 0;           // 1-based; 0 when it does not apply
+  std::string key{};      // e.g. "net.diameter"; empty when it does not apply
+  std::string message{};  // one sentence: what is wrong, what is allowed, the nearest valid name
 
   // "case1.toml:12: net.diameter: ..." without the parts that do not apply.
   std::string text() const;

@@ -17,20 +17,20 @@ enum class Evaluation { mean_strain, full };
 
 // One round cord material (net or closing rope).
 struct CordParameters {
-  double diameter = 0.004;         // m
-  double density = 1430;           // kg/m^3
-  double youngs_modulus = 12e9;    // Pa
-  double poisson_ratio = 0.3;      //
-  double axial_damping = 1e-4;     // s, c of EA (eps + c epsdot)
-  double bending_damping = 1e-2;   // s, c of EI (kappa + c kappadot)
-  double compression = 1.0;        // fraction of EA that acts in compression
+  double diameter = 0.004;        // m
+  double density = 1430;          // kg/m^3
+  double youngs_modulus = 12e9;   // Pa
+  double poisson_ratio = 0.3;     //
+  double axial_damping = 1e-4;    // s, c of EA (eps + c epsdot)
+  double bending_damping = 1e-2;  // s, c of EI (kappa + c kappadot)
+  double compression = 1.0;       // fraction of EA that acts in compression
 };
 
 struct PocketParameters {
-  int rod_count = 8;             // rods on a regular polygon
-  int mesh_columns = 6;          // cells across a panel at the kink row; also rows of the triangular part
-  int mesh_rows = 6;             // rows of the square part
-  int elements_per_side = 2;     // cable elements per mesh side
+  int rod_count = 8;          // rods on a regular polygon
+  int mesh_columns = 6;       // cells across a panel at the kink row; also rows of the triangular part
+  int mesh_rows = 6;          // rows of the square part
+  int elements_per_side = 2;  // cable elements per mesh side
 };
 
 struct RodParameters {
@@ -42,73 +42,73 @@ struct RodParameters {
   double density = 164;            // kg/m^3
   double youngs_modulus = 0.75e9;  // Pa
   double poisson_ratio = 0.3;
-  double axial_damping = 1e-4;     // s
-  double bending_damping = 1e-3;   // s
-  double hinge_stiffness = 48;     // N m/rad, of the kink
-  double hinge_damping = 0.5;      // N m s/rad
-  double tip_mass = 0.0;           // kg, retractor at each rod tip
+  double axial_damping = 1e-4;    // s
+  double bending_damping = 1e-3;  // s
+  double hinge_stiffness = 48;    // N m/rad, of the kink
+  double hinge_damping = 0.5;     // N m s/rad
+  double tip_mass = 0.0;          // kg, retractor at each rod tip
 };
 
 struct SpacecraftParameters {
-  double mass = 1210;                                  // kg
-  Eigen::Vector3d inertia = {4282, 12736, 14498};      // kg m^2, about the body axes at the centre of mass
-  Eigen::Vector3d position = {0, -1, 0};               // m, centre of mass
-  Eigen::Vector3d size = {1.6, 2.0, 1.6};              // m, bus (box centred at the centre of mass)
+  double mass = 1210;                              // kg
+  Eigen::Vector3d inertia = {4282, 12736, 14498};  // kg m^2, about the body axes at the centre of mass
+  Eigen::Vector3d position = {0, -1, 0};           // m, centre of mass
+  Eigen::Vector3d size = {1.6, 2.0, 1.6};          // m, bus (box centred at the centre of mass)
   StationKeeping station_keeping = StationKeeping::free;
 };
 
 struct TargetParameters {
   TargetShape shape = TargetShape::sphere;
-  double radius = 4.5;                              // m, sphere and cylinder
-  Eigen::Vector3d size = {6, 6, 6};                 // m, box edge lengths
-  double length = 6;                                // m, cylinder (axis: body y)
-  double mass = 200;                                // kg
-  Eigen::Vector3d inertia = {1210, 1210, 1210};     // kg m^2, body axes
-  Eigen::Vector3d position = {0, 7.5, 0};           // m, centre of mass
-  Eigen::Vector3d attitude = {0, 0, 0};             // rad, rotation vector from world to body axes
-  Eigen::Vector3d velocity = {0, 0, 0};             // m/s
-  Eigen::Vector3d spin = {0, 0, 0};                 // rad/s, world axes
-  double youngs_modulus = 70e9;                     // Pa, for the contact stiffness
+  double radius = 4.5;                           // m, sphere and cylinder
+  Eigen::Vector3d size = {6, 6, 6};              // m, box edge lengths
+  double length = 6;                             // m, cylinder (axis: body y)
+  double mass = 200;                             // kg
+  Eigen::Vector3d inertia = {1210, 1210, 1210};  // kg m^2, body axes
+  Eigen::Vector3d position = {0, 7.5, 0};        // m, centre of mass
+  Eigen::Vector3d attitude = {0, 0, 0};          // rad, rotation vector from world to body axes
+  Eigen::Vector3d velocity = {0, 0, 0};          // m/s
+  Eigen::Vector3d spin = {0, 0, 0};              // rad/s, world axes
+  double youngs_modulus = 70e9;                  // Pa, for the contact stiffness
   double poisson_ratio = 0.33;
 };
 
 struct ContactParameters {
-  double restitution = 0.5;           // Newton's coefficient c_r
-  double friction = 0.4;              // Coulomb's mu
-  double friction_velocity = 1e-3;    // m/s, sliding speed at which friction is fully developed
-  int samples_per_element = 3;        // interior contact points on an element
-  bool spacecraft = true;             // cords touch the spacecraft too
+  double restitution = 0.5;         // Newton's coefficient c_r
+  double friction = 0.4;            // Coulomb's mu
+  double friction_velocity = 1e-3;  // m/s, sliding speed at which friction is fully developed
+  int samples_per_element = 3;      // interior contact points on an element
+  bool spacecraft = true;           // cords touch the spacecraft too
 };
 
 struct ClosingParameters {
   ClosingLaw law = ClosingLaw::cycloid;
-  double start = 0;                        // s
-  double duration = 10;                    // s
-  double closed_length = 2.1;              // m, rope between adjacent tips when closed
-  std::vector<Eigen::Vector2d> table;      // (t in s after start, L in m), law = table
-  int elements = 4;                        // variable-length elements per rope
+  double start = 0;                    // s
+  double duration = 10;                // s
+  double closed_length = 2.1;          // m, rope between adjacent tips when closed
+  std::vector<Eigen::Vector2d> table;  // (t in s after start, L in m), law = table
+  int elements = 4;                    // variable-length elements per rope
 };
 
 struct TowingParameters {
   TowingMode mode = TowingMode::acceleration;
-  double start = 10;       // s
-  double duration = 4;     // s, length of the thrust or of the ramp
-  double size = 0.01;      // N, m/s^2 or m/s by mode; pulls towards -Y
-  double offset = 0;       // m, of the line of thrust from the axis, along +X
+  double start = 10;    // s
+  double duration = 4;  // s, length of the thrust or of the ramp
+  double size = 0.01;   // N, m/s^2 or m/s by mode; pulls towards -Y
+  double offset = 0;    // m, of the line of thrust from the axis, along +X
 };
 
 struct SolverParameters {
   Evaluation evaluation = Evaluation::mean_strain;
-  double time_step = 0;          // s; 0: chosen from elements and contact
-  double safety = 0.8;           // fraction of the stable step that is used
+  double time_step = 0;                 // s; 0: chosen from elements and contact
+  double safety = 0.8;                  // fraction of the stable step that is used
   Eigen::Vector3d gravity = {0, 0, 0};  // m/s^2
-  double perturbation = 0;       // m, largest random displacement of free nodes at the start
-  int seed = 1;                  // of the perturbation
+  double perturbation = 0;              // m, largest random displacement of free nodes at the start
+  int seed = 1;                         // of the perturbation
 };
 
 struct OutputParameters {
-  double end_time = 20;      // s
-  double frame_rate = 50;    // recorded frames per simulated second
+  double end_time = 20;    // s
+  double frame_rate = 50;  // recorded frames per simulated second
 };
 
 struct Scenario {

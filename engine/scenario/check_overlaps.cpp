@@ -1,0 +1,125 @@
+#include "engine/scenario/check_overlaps.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "engine/scenario/pocket_outline.h"
+
+namespace netpocket {
+namespace {
+
+constexpr int kSamples = 40;  // along each edge of a sampled surface
+
+// Signed distance of a world point from a body's surface, m, negative inside; exact inside and near faces, and never
+// too large outside.
+using Distance = std::function<double(const Eigen::Vector3d&)>;
+
+Distance distance_from_target(const TargetParameters& target) {
+  const double angle = target.attitude.norm();
+  const Eigen::AngleAxisd to_world(angle,
+                                   angle > 0 ? Eigen::Vector3d(target.attitude / angle) : Eigen::Vector3d::UnitY());
+  const Eigen::Matrix3d to_body = to_world.toRotationMatrix().transpose();
+  return [target, to_body](const Eigen::Vector3d& point) {
+    const Eigen::Vector3d p = to_body * (point - target.position);
+    switch (target.shape) {
+      case TargetShape::sphere:
+        break;
+      case TargetShape::box:
+        return (p.cwiseAbs() - target.size / 2).maxCoeff();
+      case TargetShape::cylinder:
+        return std::max(std::hypot(p.x(), p.z()) - target.radius, std::abs(p.y()) - target.length / 2);
+    }
+    return p.norm() - target.radius;
+  };
+}
+
+Distance distance_from_spacecraft(const SpacecraftParameters& spacecraft) {
+  return [spacecraft](const Eigen::Vector3d& point) {
+    return ((point - spacecraft.position).cwiseAbs() - spacecraft.size / 2).maxCoeff();
+  };
+}
+
+// The point of a surface that is deepest inside a body, or nearest to it.
+struct Deepest {
+  double distance = HUGE_VAL;  // m
+  Eigen::Vector3d point{0, 0, 0};
+
+  void visit(const Eigen::Vector3d& candidate, double candidate_distance) {
+    if (candidate_distance < distance) {
+      distance = candidate_distance;
+      point = candidate;
+    }
+  }
+};
+
+// Of the pocket's rods and panels, with the thickness of rods and cords.
+Deepest deepest_in_pocket(const Scenario& scenario, const Distance& distance, double rod_radius, double cord_radius) {
+  Deepest deepest;
+  for (const PanelOutline& panel : panel_outlines(scenario)) {
+    for (int i = 0; i <= kSamples; ++i) {
+      const double radius = i == 0 || i == kSamples ? rod_radius : cord_radius;
+      for (int j = 0; j <= kSamples; ++j) {
+        const Eigen::Vector3d point = panel.point(double(i) / kSamples, double(j) / kSamples);
+        deepest.visit(point, distance(point) - radius);
+      }
+    }
+  }
+  return deepest;
+}
+
+// Of the spacecraft's bus, inside included.
+Deepest deepest_in_bus(const SpacecraftParameters& spacecraft, const Distance& distance) {
+  Deepest deepest;
+  const Eigen::Vector3d corner = spacecraft.position - spacecraft.size / 2;
+  for (int i = 0; i <= kSamples; ++i) {
+    for (int j = 0; j <= kSamples; ++j) {
+      for (int k = 0; k <= kSamples; ++k) {
+        const Eigen::Vector3d point = corner + spacecraft.size.cwiseProduct(Eigen::Vector3d(i, j, k)) / kSamples;
+        deepest.visit(point, distance(point));
+      }
+    }
+  }
+  return deepest;
+}
+
+std::string place(const Deepest& deepest) {
+  const Eigen::Vector3d& p = deepest.point;
+  return fmt::format("by {:.3g} m at ({:.3g}, {:.3g}, {:.3g}) m", -deepest.distance, p.x(), p.y(), p.z());
+}
+
+}  // namespace
+
+void check_overlaps(const Scenario& scenario, Diagnostics& diagnostics) {
+  const Distance target = distance_from_target(scenario.target);
+  const Distance spacecraft = distance_from_spacecraft(scenario.spacecraft);
+
+  const auto net_in_target =
+      deepest_in_pocket(scenario, target, scenario.rods.outer_diameter / 2, scenario.net.diameter / 2);
+  if (net_in_target.distance < 0) {
+    diagnostics.add(
+        {.key = "target.position",
+         .message = "the target starts inside the net: it overlaps a panel or rod " + place(net_in_target)});
+  }
+
+  auto bus_in_target = deepest_in_bus(scenario.spacecraft, target);
+  bus_in_target.visit(scenario.target.position, spacecraft(scenario.target.position));
+  if (bus_in_target.distance < 0) {
+    diagnostics.add({.key = "target.position",
+                     .message = "the target starts inside the spacecraft: they overlap " + place(bus_in_target)});
+  }
+
+  // The rods are clamped to the bus, so that the net may touch its surface.
+  constexpr double kTouching = 1e-6;  // m
+  const auto net_in_bus = deepest_in_pocket(scenario, spacecraft, 0, 0);
+  if (net_in_bus.distance < -kTouching) {
+    diagnostics.add(
+        {.key = "spacecraft.position",
+         .message = "the spacecraft's bus reaches into the pocket: it overlaps a panel or rod " + place(net_in_bus)});
+  }
+}
+
+}  // namespace netpocket

@@ -1,0 +1,13 @@
+#pragma once
+// Whether the bodies of a scenario start clear of the pocket and of each other.
+
+#include "engine/scenario/diagnostics.h"
+#include "engine/scenario/scenario.h"
+
+namespace netpocket {
+
+// Adds a diagnostic for each pair of target, spacecraft and pocket that overlaps, with the place and the depth.
+// Surfaces are sampled, at about 1/40 of a panel and of the spacecraft's edges. The rods' profile must be valid.
+void check_overlaps(const Scenario& scenario, Diagnostics& diagnostics);
+
+}  // namespace netpocket

@@ -1,0 +1,295 @@
+#include "engine/scenario/parameters.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <type_traits>
+#include <utility>
+
+namespace netpocket {
+namespace {
+
+using namespace std::string_view_literals;
+
+// The names of an enum's values, in their order.
+template <typename Enum>
+constexpr std::array<std::string_view, 0> kNames{};
+template <>
+constexpr std::array kNames<TargetShape> = {"sphere"sv, "box"sv, "cylinder"sv};
+template <>
+constexpr std::array kNames<ClosingLaw> = {"cycloid"sv, "quintic"sv, "trapezoid"sv, "linear"sv, "table"sv};
+template <>
+constexpr std::array kNames<TowingMode> = {"none"sv, "force"sv, "acceleration"sv, "velocity"sv};
+template <>
+constexpr std::array kNames<StationKeeping> = {"free"sv, "attitude"sv, "lateral"sv};
+template <>
+constexpr std::array kNames<Evaluation> = {"mean_strain"sv, "full"sv};
+
+// The alternative of ParameterValue that holds a member of type T.
+template <typename T>
+using Stored =
+    std::conditional_t<std::is_enum_v<T>, Choice, std::conditional_t<std::is_same_v<T, int>, std::int64_t, T>>;
+
+// Position of a type among a variant's alternatives.
+template <typename T, typename... Alternatives>
+constexpr std::size_t position(std::type_identity<std::variant<Alternatives...>>) {
+  constexpr std::array same = {std::is_same_v<T, Alternatives>...};
+  return std::find(same.begin(), same.end(), true) - same.begin();
+}
+
+// The member that a path of pointers to members leads to.
+template <auto... Path, typename S>
+constexpr auto& member(S& scenario) {
+  return (scenario.*....*Path);
+}
+
+template <typename T>
+ParameterValue to_value(const T& member) {
+  if constexpr (std::is_enum_v<T>) {
+    return Choice{static_cast<int>(member)};
+  } else {
+    return static_cast<Stored<T>>(member);
+  }
+}
+
+template <typename T>
+void assign(T& member, const ParameterValue& value) {
+  const auto& stored = std::get<Stored<T>>(value);
+  if constexpr (std::is_enum_v<T>) {
+    member = static_cast<T>(stored.index);
+  } else {
+    member = static_cast<T>(stored);
+  }
+}
+
+template <auto... Path>
+constexpr Parameter parameter(std::string_view key, Limits limits, std::string_view unit, std::string_view help,
+                              std::string_view source) {
+  using T = std::remove_cvref_t<decltype(member<Path...>(std::declval<Scenario&>()))>;
+  return {.key = key,
+          .type = ParameterType{position<Stored<T>>(std::type_identity<ParameterValue>{})},
+          .limits = limits,
+          .unit = unit,
+          .help = help,
+          .source = source,
+          .choices = kNames<T>,
+          .get = [](const Scenario& scenario) { return to_value(member<Path...>(scenario)); },
+          .set = [](Scenario& scenario, const ParameterValue& value) { assign(member<Path...>(scenario), value); }};
+}
+
+constexpr Limits within(double minimum, double maximum) { return {minimum, maximum}; }
+constexpr Limits above(double minimum, double maximum) { return {minimum, maximum, true}; }
+constexpr Limits kNone{};
+
+using S = Scenario;
+constexpr auto kPocket = &S::pocket;
+constexpr auto kNet = &S::net;
+constexpr auto kRope = &S::rope;
+constexpr auto kRods = &S::rods;
+constexpr auto kSpacecraft = &S::spacecraft;
+constexpr auto kTarget = &S::target;
+constexpr auto kContact = &S::contact;
+constexpr auto kClosing = &S::closing;
+constexpr auto kTowing = &S::towing;
+constexpr auto kSolver = &S::solver;
+constexpr auto kOutput = &S::output;
+using Pocket = PocketParameters;
+using Cord = CordParameters;
+using Rod = RodParameters;
+using Spacecraft = SpacecraftParameters;
+using Target = TargetParameters;
+using Contact = ContactParameters;
+using Closing = ClosingParameters;
+using Towing = TowingParameters;
+using Solver = SolverParameters;
+using Output = OutputParameters;
+
+constexpr auto kAssumption = "assumption"sv;
+constexpr auto kTable1 = "paper, Table 1"sv;
+constexpr auto kTable2 = "paper, Table 2"sv;
+constexpr auto kModulusSource = "paper, Table 2, printed without unit, taken as GPa"sv;
+constexpr auto kRopeSource = "assumption: as the net"sv;
+
+constexpr std::array kGroups = {
+    ParameterGroup{"", "Scenario", "What the scenario is called."},
+    ParameterGroup{"pocket", "Pocket", "Rods and meshes of the netted pocket."},
+    ParameterGroup{"net", "Net cords", "Material of the net's cords."},
+    ParameterGroup{"rope", "Closing ropes", "Material of the ropes between adjacent rod tips."},
+    ParameterGroup{"rods", "Rods", "Shape, section and material of the inflatable rods."},
+    ParameterGroup{"spacecraft", "Spacecraft", "The service spacecraft; the rods' roots are clamped to it."},
+    ParameterGroup{"target", "Target", "The body to be captured."},
+    ParameterGroup{"contact", "Contact", "Contact of cords, ropes and rods with target and spacecraft."},
+    ParameterGroup{"closing", "Closing", "How the retractors at the rod tips draw the mouth together."},
+    ParameterGroup{"towing", "Towing", "How the spacecraft pulls the captured target towards -Y."},
+    ParameterGroup{"solver", "Solver", "Evaluation of the elements and integration in time."},
+    ParameterGroup{"output", "Output", "Length of the run and what is recorded."},
+};
+
+// clang-format off
+constexpr std::array kParameters = {
+    parameter<&S::name>("name", within(1, 100), "", "name of the scenario, on figures and in tables; default: the file's name", "user's choice"),
+    parameter<&S::description>("description", within(0, 2000), "", "what the scenario shows", "user's choice"),
+
+    parameter<kPocket, &Pocket::rod_count>("pocket.rod_count", within(3, 64), "", "rods, on a regular polygon", "paper, section 2"),
+    parameter<kPocket, &Pocket::mesh_columns>("pocket.mesh_columns", within(1, 100), "", "cells across a panel at the kink; also rows of its triangular part", kAssumption),
+    parameter<kPocket, &Pocket::mesh_rows>("pocket.mesh_rows", within(1, 100), "", "rows of the square part of a panel, from kink to tip", kAssumption),
+    parameter<kPocket, &Pocket::elements_per_side>("pocket.elements_per_side", within(1, 20), "", "cable elements on a side of a mesh", kAssumption),
+
+    parameter<kNet, &Cord::diameter>("net.diameter", within(1e-5, 0.1), "m", "diameter of a cord", kTable2),
+    parameter<kNet, &Cord::density>("net.density", within(1e-6, 1e6), "kg/m^3", "density", kTable2),
+    parameter<kNet, &Cord::youngs_modulus>("net.youngs_modulus", within(1e3, 1e13), "Pa", "Young's modulus", kModulusSource),
+    parameter<kNet, &Cord::poisson_ratio>("net.poisson_ratio", above(-1, 0.5), "", "Poisson's ratio, for the contact stiffness", kTable2),
+    parameter<kNet, &Cord::axial_damping>("net.axial_damping", within(0, 1), "s", "c of the axial force EA (eps + c epsdot)", kAssumption),
+    parameter<kNet, &Cord::bending_damping>("net.bending_damping", within(0, 10), "s", "c of the bending moment EI (kappa + c kappadot)", "assumption: about the loss of stranded rope"),
+    parameter<kNet, &Cord::compression>("net.compression", within(0, 1), "", "fraction of EA that acts in compression; 0: tension only", "paper, Eq. 11: no difference between tension and compression"),
+
+    parameter<kRope, &Cord::diameter>("rope.diameter", within(1e-5, 0.1), "m", "diameter of a rope", kRopeSource),
+    parameter<kRope, &Cord::density>("rope.density", within(1e-6, 1e6), "kg/m^3", "density", kRopeSource),
+    parameter<kRope, &Cord::youngs_modulus>("rope.youngs_modulus", within(1e3, 1e13), "Pa", "Young's modulus", kRopeSource),
+    parameter<kRope, &Cord::poisson_ratio>("rope.poisson_ratio", above(-1, 0.5), "", "Poisson's ratio, for the contact stiffness", kRopeSource),
+    parameter<kRope, &Cord::axial_damping>("rope.axial_damping", within(0, 1), "s", "c of the axial force EA (eps + c epsdot)", kRopeSource),
+    parameter<kRope, &Cord::bending_damping>("rope.bending_damping", within(0, 10), "s", "c of the bending moment EI (kappa + c kappadot)", kRopeSource),
+    parameter<kRope, &Cord::compression>("rope.compression", within(0, 1), "", "fraction of EA that acts in compression; 0: tension only", kRopeSource),
+
+    parameter<kRods, &Rod::profile>("rods.profile", within(0, 1000), "m, m", "[distance from the axis, height y] of root, kink and tip of a rod", "tip: paper, section 2, diameter 15.12 m, depth 12 m; root and kink: assumption"),
+    parameter<kRods, &Rod::outer_diameter>("rods.outer_diameter", within(1e-3, 10), "m", "outer diameter", "paper, section 2; Table 2 prints 0.01 m"),
+    parameter<kRods, &Rod::wall_lower>("rods.wall_lower", within(1e-5, 5), "m", "thickness of the wall from root to kink; half the outer diameter: solid", kAssumption),
+    parameter<kRods, &Rod::wall_upper>("rods.wall_upper", within(1e-5, 5), "m", "thickness of the wall from kink to tip; half the outer diameter: solid", kAssumption),
+    parameter<kRods, &Rod::density>("rods.density", within(1e-6, 1e6), "kg/m^3", "density of the wall", kTable2),
+    parameter<kRods, &Rod::youngs_modulus>("rods.youngs_modulus", within(1e3, 1e13), "Pa", "Young's modulus of the wall", kModulusSource),
+    parameter<kRods, &Rod::poisson_ratio>("rods.poisson_ratio", above(-1, 0.5), "", "Poisson's ratio, for the contact stiffness", kTable2),
+    parameter<kRods, &Rod::axial_damping>("rods.axial_damping", within(0, 1), "s", "c of the axial force EA (eps + c epsdot)", kAssumption),
+    parameter<kRods, &Rod::bending_damping>("rods.bending_damping", within(0, 10), "s", "c of the bending moment EI (kappa + c kappadot)", kAssumption),
+    parameter<kRods, &Rod::hinge_stiffness>("rods.hinge_stiffness", within(0, 1e9), "N m/rad", "stiffness of the joint at the kink", kAssumption),
+    parameter<kRods, &Rod::hinge_damping>("rods.hinge_damping", within(0, 1e6), "N m s/rad", "damping of the joint at the kink", kAssumption),
+    parameter<kRods, &Rod::tip_mass>("rods.tip_mass", within(0, 1e4), "kg", "mass of the retractor at each rod tip", kAssumption),
+
+    parameter<kSpacecraft, &Spacecraft::mass>("spacecraft.mass", within(1e-3, 1e7), "kg", "mass", kTable1),
+    parameter<kSpacecraft, &Spacecraft::inertia>("spacecraft.inertia", within(1e-6, 1e10), "kg m^2", "principal moments of inertia about the centre of mass, body axes", kTable1),
+    parameter<kSpacecraft, &Spacecraft::position>("spacecraft.position", within(-1e4, 1e4), "m", "centre of mass at the start", "paper, section 4.2"),
+    parameter<kSpacecraft, &Spacecraft::size>("spacecraft.size", within(1e-2, 1e3), "m", "edges of the bus, a box about the centre of mass", kAssumption),
+    parameter<kSpacecraft, &Spacecraft::station_keeping>("spacecraft.station_keeping", kNone, "", "free: nothing held; attitude: attitude held; lateral: attitude, x and z held", kAssumption),
+
+    parameter<kTarget, &Target::shape>("target.shape", kNone, "", "shape", kAssumption),
+    parameter<kTarget, &Target::radius>("target.radius", within(1e-2, 1e3), "m", "radius of a sphere or cylinder", kAssumption),
+    parameter<kTarget, &Target::size>("target.size", within(1e-2, 1e3), "m", "edges of a box", kAssumption),
+    parameter<kTarget, &Target::length>("target.length", within(1e-2, 1e3), "m", "length of a cylinder, along its y axis", kAssumption),
+    parameter<kTarget, &Target::mass>("target.mass", within(1e-3, 1e7), "kg", "mass", kTable1),
+    parameter<kTarget, &Target::inertia>("target.inertia", within(1e-6, 1e10), "kg m^2", "principal moments of inertia about the centre of mass, body axes", kTable1),
+    parameter<kTarget, &Target::position>("target.position", within(-1e4, 1e4), "m", "centre of mass at the start", "paper, section 4.2"),
+    parameter<kTarget, &Target::attitude>("target.attitude", within(-10, 10), "rad", "rotation vector that turns the world axes into the body axes at the start", kAssumption),
+    parameter<kTarget, &Target::velocity>("target.velocity", within(-100, 100), "m/s", "velocity of the centre of mass at the start", "paper, section 4.2: at rest"),
+    parameter<kTarget, &Target::spin>("target.spin", within(-100, 100), "rad/s", "angular velocity at the start, world axes", "paper, section 4.2: at rest"),
+    parameter<kTarget, &Target::youngs_modulus>("target.youngs_modulus", within(1e3, 1e13), "Pa", "Young's modulus, for the contact stiffness", "assumption: aluminium"),
+    parameter<kTarget, &Target::poisson_ratio>("target.poisson_ratio", above(-1, 0.5), "", "Poisson's ratio, for the contact stiffness", "assumption: aluminium"),
+
+    parameter<kContact, &Contact::restitution>("contact.restitution", within(0, 1), "", "Newton's coefficient of restitution c_r of the paper's section 3.3", kAssumption),
+    parameter<kContact, &Contact::friction>("contact.friction", within(0, 10), "", "Coulomb's coefficient of friction mu of the paper's section 3.3", kAssumption),
+    parameter<kContact, &Contact::friction_velocity>("contact.friction_velocity", within(1e-6, 1), "m/s", "sliding speed at which friction is fully developed", kAssumption),
+    parameter<kContact, &Contact::samples_per_element>("contact.samples_per_element", within(1, 20), "", "contact points inside an element", "assumption: a single point doubles the impulse"),
+    parameter<kContact, &Contact::spacecraft>("contact.spacecraft", kNone, "", "cords touch the spacecraft too", kAssumption),
+
+    parameter<kClosing, &Closing::law>("closing.law", kNone, "", "how the rope length goes from open to closed; table: as closing.table says", kAssumption),
+    parameter<kClosing, &Closing::start>("closing.start", within(0, 1e5), "s", "time at which closing starts", "paper, section 4.2"),
+    parameter<kClosing, &Closing::duration>("closing.duration", within(1e-2, 1e5), "s", "time from open to closed; not used by the law table", "paper, section 4.2, case 1; 7.5 s in case 2, 5 s in case 3"),
+    parameter<kClosing, &Closing::closed_length>("closing.closed_length", within(1e-3, 1e3), "m", "rope between adjacent rod tips when closed; not used by the law table", "paper, section 4.1"),
+    parameter<kClosing, &Closing::table>("closing.table", within(0, 1e5), "s, m", "[time after start, rope length] from open to closed, for the law table", "user's choice"),
+    parameter<kClosing, &Closing::elements>("closing.elements", within(1, 64), "", "variable-length elements in each rope", kAssumption),
+
+    parameter<kTowing, &Towing::mode>("towing.mode", kNone, "", "none; a force, an acceleration of the pair or a velocity of the spacecraft is prescribed", kAssumption),
+    parameter<kTowing, &Towing::start>("towing.start", within(0, 1e5), "s", "time at which towing starts", "paper, section 4.2"),
+    parameter<kTowing, &Towing::duration>("towing.duration", within(0, 1e5), "s", "length of the thrust or of the ramp", kAssumption),
+    parameter<kTowing, &Towing::size>("towing.size", within(0, 1e5), "N, m/s^2 or m/s by mode", "size of the force, acceleration or velocity, towards -Y", kAssumption),
+    parameter<kTowing, &Towing::offset>("towing.offset", within(-100, 100), "m", "distance of the line of thrust from the axis, along +X", kAssumption),
+
+    parameter<kSolver, &Solver::evaluation>("solver.evaluation", kNone, "", "mean_strain: one axial strain per element, lumped mass; full: Gauss points, consistent mass", "assumption; strain and curvature of full: Gerstmayr & Shabana 2006"),
+    parameter<kSolver, &Solver::time_step>("solver.time_step", within(0, 0.1), "s", "integration step; 0: chosen from the stiffest element and contact", kAssumption),
+    parameter<kSolver, &Solver::safety>("solver.safety", above(0, 1), "", "fraction of the stable step that is used", kAssumption),
+    parameter<kSolver, &Solver::gravity>("solver.gravity", within(-100, 100), "m/s^2", "gravity", "assumption: none in orbit"),
+    parameter<kSolver, &Solver::perturbation>("solver.perturbation", within(0, 0.01), "m", "largest random displacement of a free node at the start", kAssumption),
+    parameter<kSolver, &Solver::seed>("solver.seed", within(0, 2147483647), "", "seed of the random displacements", kAssumption),
+
+    parameter<kOutput, &Output::end_time>("output.end_time", within(1e-3, 1e5), "s", "simulated time at which the run ends", kAssumption),
+    parameter<kOutput, &Output::frame_rate>("output.frame_rate", within(1e-2, 1e5), "1/s", "recorded frames per simulated second", kAssumption),
+};
+// clang-format on
+
+std::size_t edit_distance(std::string_view from, std::string_view to) {
+  std::vector<std::size_t> row(to.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i + 1);
+    for (std::size_t j = 0; j < to.size(); ++j) {
+      const std::size_t replaced = diagonal + (from[i] == to[j] ? 0 : 1);
+      diagonal = std::exchange(row[j + 1], std::min({replaced, row[j] + 1, row[j + 1] + 1}));
+    }
+  }
+  return row[to.size()];
+}
+
+// The candidate with the lowest score, if that is low enough for a slip of the pen.
+template <typename Candidates, typename NameOf, typename Score>
+std::optional<std::string_view> nearest(const Candidates& candidates, NameOf name_of, std::string_view unknown,
+                                        Score score) {
+  constexpr std::size_t kLongestName = 64;  // bounds the effort
+  if (unknown.empty() || unknown.size() > kLongestName) return std::nullopt;
+  std::string_view best;
+  auto lowest = std::pair(std::max<std::size_t>(2, unknown.size() / 3) + 1, std::size_t{0});
+  for (const auto& candidate : candidates) {
+    const std::string_view name = name_of(candidate);
+    if (const auto now = score(name); now < lowest) {
+      lowest = now;
+      best = name;
+    }
+  }
+  return best.empty() ? std::nullopt : std::optional(best);
+}
+
+std::string_view last_part(std::string_view key) { return key.substr(key.rfind('.') + 1); }
+
+}  // namespace
+
+std::span<const Parameter> parameters() { return kParameters; }
+
+std::span<const ParameterGroup> parameter_groups() { return kGroups; }
+
+std::span<const Parameter> parameters_of(const ParameterGroup& group) {
+  const auto belongs = [&](const Parameter& p) { return p.group() == group.name; };
+  const auto first = std::find_if(kParameters.begin(), kParameters.end(), belongs);
+  return {first, std::find_if_not(first, kParameters.end(), belongs)};
+}
+
+const Parameter* find_parameter(std::string_view key) {
+  const auto found = std::find_if(kParameters.begin(), kParameters.end(), [&](const auto& p) { return p.key == key; });
+  return found == kParameters.end() ? nullptr : &*found;
+}
+
+const ParameterGroup* find_parameter_group(std::string_view name) {
+  const auto found = std::find_if(kGroups.begin(), kGroups.end(), [&](const auto& g) { return g.name == name; });
+  return found == kGroups.end() ? nullptr : &*found;
+}
+
+std::optional<std::string_view> nearest_parameter_key(std::string_view unknown) {
+  // The right name in the wrong table is a likely slip too; the nearer table breaks ties.
+  constexpr std::size_t kWrongTable = 2;
+  const auto score = [&](std::string_view key) {
+    const std::size_t whole = edit_distance(unknown, key);
+    return std::pair(std::min(whole, edit_distance(last_part(unknown), last_part(key)) + kWrongTable), whole);
+  };
+  return nearest(
+      kParameters, [](const Parameter& p) { return p.key; }, unknown, score);
+}
+
+std::optional<std::string_view> nearest_group_name(std::string_view unknown) {
+  const auto score = [&](std::string_view name) { return std::pair(edit_distance(unknown, name), std::size_t{0}); };
+  return nearest(
+      std::span(kGroups).subspan(1), [](const ParameterGroup& g) { return g.name; }, unknown, score);
+}
+
+std::optional<std::string_view> nearest_choice(const Parameter& parameter, std::string_view unknown) {
+  const auto score = [&](std::string_view name) { return std::pair(edit_distance(unknown, name), std::size_t{0}); };
+  return nearest(
+      parameter.choices, [](std::string_view name) { return name; }, unknown, score);
+}
+
+}  // namespace netpocket

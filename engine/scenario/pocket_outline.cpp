@@ -1,0 +1,40 @@
+#include "engine/scenario/pocket_outline.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace netpocket {
+
+Eigen::Vector3d rod_point(const PocketParameters& pocket, int rod, const Eigen::Vector2d& radius_height) {
+  const double angle = 2 * std::numbers::pi * rod / pocket.rod_count;
+  return {radius_height.x() * std::cos(angle), radius_height.y(), -radius_height.x() * std::sin(angle)};
+}
+
+double open_tip_distance(const Scenario& scenario) {
+  return 2 * scenario.rods.profile.back().x() * std::sin(std::numbers::pi / scenario.pocket.rod_count);
+}
+
+std::vector<PanelOutline> panel_outlines(const Scenario& scenario) {
+  std::vector<PanelOutline> panels;
+  const auto& profile = scenario.rods.profile;
+  for (int rod = 0; rod < scenario.pocket.rod_count; ++rod) {
+    const auto at = [&](int side, std::size_t i) { return rod_point(scenario.pocket, rod + side, profile[i]); };
+    for (std::size_t i = 0; i + 1 < profile.size(); ++i) {
+      panels.push_back({.lower = {at(0, i), at(1, i)}, .upper = {at(0, i + 1), at(1, i + 1)}});
+    }
+  }
+  return panels;
+}
+
+double largest_element_count(const Scenario& scenario) {
+  const PocketParameters& pocket = scenario.pocket;
+  const double columns = pocket.mesh_columns;
+  const double rows = pocket.mesh_rows;
+  const double square_sides = (rows + 1) * columns + rows * (columns + 1);
+  const double triangle_sides = 3 * columns * (columns + 1) / 2;
+  const double rod_sides = rows + columns;
+  const double sides = square_sides + triangle_sides + rod_sides;
+  return pocket.rod_count * (sides * pocket.elements_per_side + scenario.closing.elements);
+}
+
+}  // namespace netpocket

@@ -1,0 +1,218 @@
+#include "engine/scenario/read_scenario.h"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <variant>
+
+#include "engine/scenario/parameter_text.h"
+#include "engine/scenario/toml_depth.h"
+#include "engine/scenario/toml_value.h"
+
+namespace netpocket {
+namespace {
+
+constexpr std::size_t kListedProblems = 20;
+constexpr int kDeepestKey = 8;  // dots; parameters have one
+
+std::string unknown_text(std::string_view kind, std::optional<std::string_view> nearest) {
+  if (nearest) return fmt::format("is not {}; did you mean '{}'?", kind, *nearest);
+  return fmt::format("is not {}; scenarios/REFERENCE.md lists them all", kind);
+}
+
+// Either a table or the problem that kept the parser from making one.
+std::variant<toml::table, Diagnostic> parse(std::string_view text) {
+  if (const int line = line_of_too_deep_key(text, kDeepestKey)) {
+    return Diagnostic{.line = line, .message = fmt::format("a key with more than {} dots", kDeepestKey)};
+  }
+  try {
+    return toml::parse(text);
+  } catch (const toml::parse_error& error) {
+    return Diagnostic{.line = static_cast<int>(error.source().begin.line), .message = std::string(error.description())};
+  }
+}
+
+// Goes through a parsed file and sets what it finds.
+class FileReader {
+ public:
+  explicit FileReader(Scenario& scenario) : scenario_(scenario) {}
+
+  void read(const toml::table& file) {
+    for (const auto& [key, node] : file) read_top(key.str(), node);
+  }
+
+  // In the order of the file, with its name.
+  Diagnostics diagnostics(const std::string& file) {
+    std::stable_sort(problems_.begin(), problems_.end(), [](const auto& a, const auto& b) { return a.line < b.line; });
+    Diagnostics result;
+    for (std::size_t i = 0; i < std::min(problems_.size(), kListedProblems); ++i) {
+      const Problem& problem = problems_[i];
+      const std::string key = excerpt(problem.key);
+      result.add({file, problem.line, key.substr(1, key.size() - 2), problem.message()});
+    }
+    if (problems_.size() > kListedProblems) {
+      result.add({.file = file, .message = fmt::format("{} more problems", problems_.size() - kListedProblems)});
+    }
+    return result;
+  }
+
+ private:
+  struct Problem {
+    int line;
+    std::string key;
+    std::function<std::string()> message;  // made when listed: to look for near names costs more than to read
+  };
+
+  void read_top(std::string_view key, const toml::node& node) {
+    if (find_parameter_group(key) && !key.empty()) {
+      read_group(key, node);
+    } else if (node.is_table() && !find_parameter(key)) {
+      report(node, key,
+             [name = std::string(key)] { return unknown_text("a table of a scenario", nearest_group_name(name)); });
+    } else {
+      read_parameter(std::string(key), node);
+    }
+  }
+
+  void read_group(std::string_view group, const toml::node& node) {
+    const toml::table* table = node.as_table();
+    if (!table) {
+      report(node, group, [name = std::string(group)] {
+        return fmt::format("is a table: write [{}] and its keys on the lines below", name);
+      });
+      return;
+    }
+    for (const auto& [key, member] : *table) read_parameter(fmt::format("{}.{}", group, key.str()), member);
+  }
+
+  void read_parameter(const std::string& key, const toml::node& node) {
+    const Parameter* parameter = find_parameter(key);
+    if (!parameter) {
+      report(node, key, [key] { return unknown_text("a parameter", nearest_parameter_key(key)); });
+      return;
+    }
+    const auto value = parameter_value(*parameter, node);
+    if (const auto* problem = std::get_if<ValueProblem>(&value)) {
+      report(node, key, [message = problem->message] { return message; });
+    } else {
+      parameter->set(scenario_, std::get<ParameterValue>(value));
+    }
+  }
+
+  void report(const toml::node& node, std::string_view key, std::function<std::string()> message) {
+    problems_.push_back({static_cast<int>(node.source().begin.line), std::string(key), std::move(message)});
+  }
+
+  Scenario& scenario_;
+  std::vector<Problem> problems_;
+};
+
+// The file's text or one sentence why there is none. Reads one byte more than allowed at most, so that devices that
+// never end do no harm.
+std::variant<std::string, Diagnostic> load(const std::string& path) {
+  const auto problem = [&path](std::string message) { return Diagnostic{.file = path, .message = std::move(message)}; };
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (status.type() == std::filesystem::file_type::not_found) return problem("there is no such file");
+  if (std::filesystem::is_directory(status)) return problem("is a folder, not a scenario file");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return problem(fmt::format("cannot be read: {}", std::strerror(errno)));
+  std::string text(kLargestScenarioFile + 1, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (file.bad()) return problem("cannot be read: input error");
+  if (file.gcount() > static_cast<std::streamsize>(kLargestScenarioFile)) {
+    return problem(fmt::format("is larger than {} bytes, the limit for a scenario", kLargestScenarioFile));
+  }
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  return text;
+}
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kBlank = " \t\r\n";
+  const auto first = text.find_first_not_of(kBlank);
+  return first == text.npos ? std::string_view() : text.substr(first, text.find_last_not_of(kBlank) - first + 1);
+}
+
+// A setting's value as TOML: texts and choices get the quotes that a shell takes away.
+std::string setting_text(const Parameter& parameter, std::string_view text) {
+  const bool text_like = parameter.type == ParameterType::text || parameter.type == ParameterType::choice;
+  return text_like && !text.starts_with('"') && !text.starts_with('\'') ? quoted(text) : std::string(text);
+}
+
+Diagnostics single(Diagnostic diagnostic) {
+  Diagnostics diagnostics;
+  diagnostics.add(std::move(diagnostic));
+  return diagnostics;
+}
+
+// As read_scenario_text, with other defaults.
+ScenarioResult read_over(Scenario defaults, std::string_view text, const std::string& name) {
+  ScenarioResult result{.scenario = std::move(defaults)};
+  if (text.size() > kLargestScenarioFile) {
+    result.diagnostics =
+        single({.file = name,
+                .message = fmt::format("is larger than {} bytes, the limit for a scenario", kLargestScenarioFile)});
+    return result;
+  }
+  auto parsed = parse(text);
+  if (auto* problem = std::get_if<Diagnostic>(&parsed)) {
+    problem->file = name;
+    result.diagnostics = single(std::move(*problem));
+    return result;
+  }
+  FileReader reader(result.scenario);
+  reader.read(std::get<toml::table>(parsed));
+  result.diagnostics = reader.diagnostics(name);
+  return result;
+}
+
+}  // namespace
+
+ScenarioResult read_scenario_text(std::string_view text, const std::string& name) { return read_over({}, text, name); }
+
+ScenarioResult read_scenario_file(const std::string& path) {
+  auto loaded = load(path);
+  if (auto* problem = std::get_if<Diagnostic>(&loaded)) return {.diagnostics = single(std::move(*problem))};
+  Scenario defaults;
+  const std::string stem = std::filesystem::path(path).stem().string();
+  if (!limit_problem(*find_parameter("name"), stem)) defaults.name = stem;
+  return read_over(std::move(defaults), std::get<std::string>(loaded), path);
+}
+
+Diagnostics set_parameter(Scenario& scenario, const Parameter& parameter, std::string_view text) {
+  const std::string key(parameter.key);
+  const auto fails = [&](std::string message) { return single({.key = key, .message = std::move(message)}); };
+  const auto not_a_value = [&] {
+    return fails(fmt::format("expects {}, not {}", expected_text(parameter), excerpt(text)));
+  };
+  text = trimmed(text);
+  if (text.size() > kLargestScenarioFile) return fails("the value is too long");
+  const auto parsed = parse("value = " + setting_text(parameter, text));
+  const auto* table = std::get_if<toml::table>(&parsed);
+  if (!table || table->size() != 1) return not_a_value();
+  const auto value = parameter_value(parameter, *table->get("value"));
+  if (const auto* problem = std::get_if<ValueProblem>(&value)) return fails(problem->message);
+  parameter.set(scenario, std::get<ParameterValue>(value));
+  return {};
+}
+
+Diagnostics apply_setting(Scenario& scenario, std::string_view setting) {
+  const auto equals = setting.find('=');
+  if (equals == setting.npos) {
+    return single({.message = fmt::format("a setting is written key=value, not {}", excerpt(setting))});
+  }
+  const std::string_view key = trimmed(setting.substr(0, equals));
+  const Parameter* parameter = find_parameter(key);
+  if (!parameter) {
+    return single({.message = excerpt(key) + " " + unknown_text("a parameter", nearest_parameter_key(key))});
+  }
+  return set_parameter(scenario, *parameter, setting.substr(equals + 1));
+}
+
+}  // namespace netpocket

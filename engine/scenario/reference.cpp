@@ -1,0 +1,62 @@
+#include "engine/scenario/reference.h"
+
+#include <fmt/format.h>
+
+#include "engine/scenario/parameter_text.h"
+
+namespace netpocket {
+namespace {
+
+constexpr std::string_view kIntroduction = R"(# Parameters of a scenario
+
+A scenario is a TOML file. Every key is optional; what is left out has the default below. SI units; the world's Y axis
+is the pocket's axis and the mouth opens towards +Y. "paper" is Tang, Deng, Bai, Wei, Zhao: Dynamics Analysis of Space
+Netted Pocket System Capturing Non-Cooperative Target, Appl. Sci. 2023, 13, 10377; where it is silent the value is an
+assumption.
+
+This file is generated from the parameter table in engine/scenario/parameters.cpp. A test compares the two;
+`NETPOCKET_RENEW=1 build/tests/test_scenario --gtest_filter='Reference.*'` writes it anew.
+)";
+
+std::string type_text(const Parameter& parameter) {
+  switch (parameter.type) {
+    case ParameterType::number:
+      return "number";
+    case ParameterType::integer:
+      return "whole number";
+    case ParameterType::boolean:
+      return "true or false";
+    case ParameterType::text:
+      return "text";
+    case ParameterType::choice: {
+      std::string names;
+      for (const std::string_view name : parameter.choices)
+        names += fmt::format("{}`{}`", names.empty() ? "" : ", ", name);
+      return names;
+    }
+    case ParameterType::vector:
+      return "[x, y, z]";
+    case ParameterType::pairs:
+      return "list of pairs";
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string parameter_reference() {
+  const Scenario defaults;
+  std::string text(kIntroduction);
+  for (const ParameterGroup& group : parameter_groups()) {
+    const std::string table = group.name.empty() ? "" : fmt::format(" `[{}]`", group.name);
+    text += fmt::format("\n## {}{}\n\n{}\n\n", group.title, table, group.help);
+    text += "| key | type | default | unit | allowed | meaning | source |\n|---|---|---|---|---|---|---|\n";
+    for (const Parameter& p : parameters_of(group)) {
+      text += fmt::format("| `{}` | {} | `{}` | {} | {} | {} | {} |\n", p.name(), type_text(p),
+                          toml_text(p, p.get(defaults)), p.unit, allowed_text(p), p.help, p.source);
+    }
+  }
+  return text;
+}
+
+}  // namespace netpocket

@@ -1,0 +1,31 @@
+#include "engine/scenario/write_scenario.h"
+
+#include <fmt/format.h>
+
+#include "engine/scenario/parameter_text.h"
+
+namespace netpocket {
+namespace {
+
+std::string comment(const Parameter& parameter) {
+  const std::string unit = parameter.unit.empty() ? "" : fmt::format("[{}] ", parameter.unit);
+  return fmt::format("# {}{} ({})", unit, parameter.help, parameter.source);
+}
+
+}  // namespace
+
+std::string write_scenario_text(const Scenario& scenario) {
+  std::string text =
+      "# A Netpocket scenario, complete: [unit] meaning (source); \"paper\" is Tang et al., Appl. Sci. 2023, 13, "
+      "10377.\n\n";
+  for (const ParameterGroup& group : parameter_groups()) {
+    if (!group.name.empty()) text += fmt::format("\n[{}]\n", group.name);
+    for (const Parameter& parameter : parameters_of(group)) {
+      const std::string value = toml_text(parameter, parameter.get(scenario));
+      text += fmt::format("{:<32} {}\n", fmt::format("{} = {}", parameter.name(), value), comment(parameter));
+    }
+  }
+  return text;
+}
+
+}  // namespace netpocket

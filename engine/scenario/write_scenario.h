@@ -1,0 +1,14 @@
+#pragma once
+// Writes scenarios as TOML.
+
+#include <string>
+
+#include "engine/scenario/scenario.h"
+
+namespace netpocket {
+
+// The complete scenario: every key, with unit, help and source as a comment. Reading it back gives the same values to
+// the last bit.
+std::string write_scenario_text(const Scenario& scenario);
+
+}  // namespace netpocket
