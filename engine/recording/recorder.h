@@ -2,6 +2,7 @@
 // Writes a run to an HDF5 file, frame by frame. Layout: engine/recording/FORMAT.md.
 // Thread contract: one thread at a time. Errors: throws RecordingError with one sentence that names the file.
 
+#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -20,25 +21,34 @@ class RecordingError : public std::runtime_error {
 // What a recording says about where it comes from.
 struct RunOrigin {
   std::string scenario_name;
-  std::string scenario_text;     // complete TOML, as run (after --set)
+  std::string scenario_text;  // complete TOML, as run (after --set)
   std::string netpocket_version;
   std::string commit;
-  std::string command;           // command line or "workbench"
+  std::string command;  // command line or "workbench"
   int seed = 0;
   int threads = 1;
+  double closing_end = std::numeric_limits<double>::quiet_NaN();   // s, when the closing law ends; NaN: unknown
+  double towing_start = std::numeric_limits<double>::quiet_NaN();  // s; NaN: no towing
 };
 
 class Recorder {
  public:
   // Creates the file. Refuses to replace an existing one unless `overwrite`; then the old file stays until the new one
-  // holds its first frame.
+  // holds its first frame: until that moment the recording is called `path` + ".part". Two recorders never write the
+  // same file; one Recording or more may read it meanwhile.
   Recorder(const std::string& path, const RunOrigin& origin, const Structure& structure, bool overwrite);
+  // Without finish(): keeps every frame written, with the reason `running`. A recording without a frame is removed.
   ~Recorder();
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
+  // Adds a frame. Its sizes are those of the structure; its time is not before the last frame's. At most one second of
+  // wall time after the previous flush, all frames are flushed: they survive the death of the program.
   void write(const Snapshot& snapshot);
-  // Stores how the run ended and closes the file. A recording without it is one whose program was killed.
+  // Makes all frames survive now; for callers that pause.
+  void flush();
+  // Stores how the run ended and closes the file. A recording without it is one whose program was killed. After a
+  // failed write (disk full) the frames before remain, and finish() still stores the reason where there is room.
   void finish(const RunStatus& status, const RunStatistics& statistics);
 
  private:

@@ -1,6 +1,9 @@
 #pragma once
-// Reads a recorded run. Frames are read one at a time, so memory does not grow with the length of the run.
-// Thread contract: one thread at a time per object. Errors: throws RecordingError with one sentence that names the file.
+// Reads a recorded run, also one that is still being written: then as far as it was flushed when it was opened. Node
+// data are read frame by frame, so only the channels' memory grows with the length of the run.
+// Quantities are as precise as they are stored (FORMAT.md): node, element and contact data in single precision.
+// Thread contract: one thread at a time per object. Errors: throws RecordingError with one sentence that names the
+// file.
 
 #include <memory>
 #include <string>
@@ -20,14 +23,14 @@ class Recording {
   const std::string& path() const;
   const RunOrigin& origin() const;
   const Structure& structure() const;
-  const RunStatus& status() const;          // reason `running` when the run was cut off
+  const RunStatus& status() const;  // reason `running` when the run was cut off
   const RunStatistics& statistics() const;
 
   std::size_t frame_count() const;
-  const std::vector<double>& times() const;            // s, by frame
+  const std::vector<double>& times() const;             // s, by frame
   const std::vector<double>& channel(Channel c) const;  // by frame
   Snapshot frame(std::size_t index) const;
-  // Index of the frame nearest to a time.
+  // Index of the frame nearest to a time; throws when there is no frame.
   std::size_t frame_at(double time) const;
 
  private:

@@ -21,9 +21,9 @@ struct RunStatistics {
   std::int64_t steps = 0;
   std::int32_t elements = 0;
   std::int32_t coordinates = 0;
-  double time_step = 0;          // s, smallest step used
-  std::string step_limit;        // what limits the step, e.g. "axial wave in panel 3 row 2"
-  std::string evaluation;        // "mean_strain" or "full"
+  double time_step = 0;    // s, smallest step used
+  std::string step_limit;  // what limits the step, e.g. "axial wave in panel 3 row 2"
+  std::string evaluation;  // "mean_strain" or "full"
 };
 
 const char* to_string(RunReason reason);

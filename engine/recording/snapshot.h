@@ -13,7 +13,7 @@
 namespace netpocket {
 
 struct BodyState {
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();           // m, centre of mass
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();            // m, centre of mass
   Eigen::Quaterniond attitude = Eigen::Quaterniond::Identity();  // body axes to world axes
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();            // m/s
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();    // rad/s, world axes
@@ -27,13 +27,13 @@ struct ContactPoint {
 };
 
 struct Snapshot {
-  double time = 0;                      // s
-  std::int64_t step = 0;                // integration steps so far
-  Eigen::Matrix3Xd positions;           // m, one column per node
-  Eigen::Matrix3Xd velocities;          // m/s, one column per node
-  Eigen::Matrix3Xd gradients;           // dr/dp, one column per gradient
-  Eigen::VectorXd tension;              // N, one per element; negative in compression
-  Eigen::VectorXd strain;               // Green strain (r'.r' - 1)/2, one per element
+  double time = 0;                          // s
+  std::int64_t step = 0;                    // integration steps so far
+  Eigen::Matrix3Xd positions;               // m, one column per node
+  Eigen::Matrix3Xd velocities;              // m/s, one column per node
+  Eigen::Matrix3Xd gradients;               // dr/dp, one column per gradient
+  Eigen::VectorXd tension;                  // N, one per element; negative in compression
+  Eigen::VectorXd strain;                   // Green strain (r'.r' - 1)/2, one per element
   std::vector<double> rope_element_length;  // m, current material length of one element of each variable-length rope
   std::vector<BodyState> bodies;            // by Structure::bodies
   std::vector<ContactPoint> contacts;

@@ -29,8 +29,8 @@ enum class BodyRole : std::uint8_t { spacecraft = 0, target = 1, other = 2 };
 struct StructureBody {
   std::string name;  // "spacecraft", "target", ...
   BodyRole role = BodyRole::other;
-  Shape shape;       // drawn and touched; body axes, centred at the centre of mass
-  double mass = 0;   // kg
+  Shape shape;      // drawn and touched; body axes, centred at the centre of mass
+  double mass = 0;  // kg
 };
 
 struct Structure {
@@ -39,10 +39,10 @@ struct Structure {
   std::vector<StructureElement> elements;
   std::vector<std::string> threads;  // names, e.g. "rod 3", "panel 2 row 4"
   std::vector<StructureBody> bodies;
-  std::vector<std::int32_t> rod_roots;   // node of each rod's clamped end, by rod
-  std::vector<std::int32_t> rod_kinks;   // node of each rod's kink
-  std::vector<std::int32_t> rod_tips;    // node of each rod's tip: retractors sit here
-  std::int32_t rope_count = 0;           // variable-length ropes
+  std::vector<std::int32_t> rod_roots;  // node of each rod's clamped end, by rod
+  std::vector<std::int32_t> rod_kinks;  // node of each rod's kink
+  std::vector<std::int32_t> rod_tips;   // node of each rod's tip: retractors sit here
+  std::int32_t rope_count = 0;          // variable-length ropes
 };
 
 }  // namespace netpocket

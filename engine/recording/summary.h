@@ -11,13 +11,13 @@ namespace netpocket {
 class Recording;
 
 struct RunSummary {
-  bool captured = false;                      // the target is inside the closed pocket at the end, and never left it
-  std::optional<double> first_contact_time;   // s
-  Eigen::Vector3d peak_force{0, 0, 0};        // N, largest |component| of the contact force on the target, with its sign
-  double peak_time_y = 0;                     // s, when |F_y| peaks
-  Eigen::Vector3d impulse{0, 0, 0};           // N s, integral of the contact force on the target
-  double energy_error = 0;                    // largest |energy_error| / energy put in
-  double averaging_window = 0;                // s, over which the recorded forces are means
+  bool captured = false;                     // the target is inside the closed pocket at the end, and never left it
+  std::optional<double> first_contact_time;  // s
+  Eigen::Vector3d peak_force{0, 0, 0};       // N, largest |component| of the contact force on the target, with its sign
+  double peak_time_y = 0;                    // s, when |F_y| peaks
+  Eigen::Vector3d impulse{0, 0, 0};          // N s, integral of the contact force on the target
+  double energy_error = 0;                   // largest |energy_error| / energy put in
+  double averaging_window = 0;               // s, over which the recorded forces are means
 };
 
 RunSummary summarize(const Recording& recording);

@@ -1,0 +1,15 @@
+#pragma once
+// Channels as a table that every program reads.
+
+#include <string>
+
+namespace netpocket {
+
+class Recording;
+
+// Writes one row per frame with all channels in the order of kChannels, comma separated, under a line of their names;
+// numbers are the shortest that read back to the same double. The file appears under `path` only when it is complete
+// and replaces an older one. Throws RecordingError.
+void write_channels_csv(const Recording& recording, const std::string& path);
+
+}  // namespace netpocket

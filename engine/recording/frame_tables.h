@@ -1,0 +1,42 @@
+#pragma once
+// Writes the frames of a run: groups /frames and /contacts.
+
+#include <optional>
+#include <vector>
+
+#include "engine/recording/hdf5_output.h"
+#include "engine/recording/snapshot.h"
+#include "engine/recording/structure.h"
+
+namespace netpocket {
+
+class FrameTables {
+ public:
+  FrameTables(hid_t file, const Structure& structure, ChunkCodec& codec);
+
+  // The large tables reach HDF5 at once, the small ones with the next flush().
+  void append(const Snapshot& snapshot);
+
+  // Hands everything appended to the operating system. A frame exists when its row of channels does, so those rows
+  // come last, after all else is safe.
+  void flush(hid_t file);
+
+ private:
+  void create_large_tables(const Structure& structure, ChunkCodec& codec);
+  void create_small_tables(const Structure& structure, ChunkCodec& codec);
+  void create_contact_tables(ChunkCodec& codec);
+  void name_channels();
+  void append_bodies(const std::vector<BodyState>& bodies);
+  void append_contacts(const std::vector<ContactPoint>& contacts);
+  template <typename Matrix>
+  void append_single(std::optional<OutputTable>& table, const Matrix& values);
+
+  Handle frames_, contacts_;
+  // Tables without columns (no ropes, say) are left out.
+  std::optional<OutputTable> position_, velocity_, gradient_, tension_, strain_;
+  std::optional<OutputTable> rope_, body_, step_, contact_range_, channels_;
+  std::optional<OutputTable> contact_position_, contact_force_, contact_element_, contact_body_;
+  std::vector<float> single_;
+};
+
+}  // namespace netpocket

@@ -1,0 +1,15 @@
+#pragma once
+// Names that writing and reading share; the whole layout is in FORMAT.md.
+
+#include <cstddef>
+#include <cstdint>
+
+namespace netpocket::layout {
+
+inline constexpr char kFormat[] = "netpocket-recording";
+inline constexpr std::int32_t kVersion = 1;
+
+// Numbers of a body's state: position, attitude (w, x, y, z), velocity, angular velocity.
+inline constexpr std::size_t kBodyNumbers = 13;
+
+}  // namespace netpocket::layout

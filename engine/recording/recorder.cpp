@@ -1,0 +1,174 @@
+#include "engine/recording/recorder.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+#include "engine/recording/frame_tables.h"
+#include "engine/recording/layout.h"
+#include "engine/recording/outcome_io.h"
+#include "engine/recording/output_file.h"
+#include "engine/recording/structure_io.h"
+
+namespace netpocket {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+// With the time that a flush takes, less than a second.
+constexpr std::chrono::milliseconds kFlushInterval(900);
+
+Handle create_file(const std::string& path) {
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "describe file access");
+  // The newest format of HDF5 1.10: all of its metadata carries checksums, and it allows SWMR.
+  checked(H5Pset_libver_bounds(access.get(), H5F_LIBVER_V110, H5F_LIBVER_V110), "choose the file format");
+  checked(H5Pset_file_locking(access.get(), false, true), "describe file access");  // OutputFile has the lock
+  return Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose, "create the file");
+}
+
+void write_origin(hid_t file, const RunOrigin& origin, ChunkCodec& codec) {
+  write_attribute(file, "format", std::string(layout::kFormat));
+  write_attribute(file, "format_version", std::int64_t{layout::kVersion});
+  write_attribute(file, "netpocket_version", origin.netpocket_version);
+  write_attribute(file, "commit", origin.commit);
+  write_attribute(file, "seed", std::int64_t{origin.seed});
+  write_attribute(file, "threads", std::int64_t{origin.threads});
+  write_attribute(file, "closing_end", origin.closing_end);
+  write_attribute(file, "towing_start", origin.towing_start);
+  write_texts(file, {"scenario_name", "", "name of the scenario"}, {origin.scenario_name}, codec);
+  write_texts(file, {"scenario", "", "the scenario as run, TOML"}, {origin.scenario_text}, codec);
+  write_texts(file, {"command", "", "command line, or workbench"}, {origin.command}, codec);
+}
+
+}  // namespace
+
+struct Recorder::Impl {
+  Impl(const std::string& path, bool overwrite) : output(path, overwrite) {}
+  ~Impl() { close(); }
+
+  void create(const RunOrigin& origin, const Structure& structure);
+  void check_sizes(const Snapshot& snapshot) const;
+  void write(const Snapshot& snapshot);
+  void flush();
+  void close();
+  void ensure_room();
+  // Runs an action on the file; its failure ends the recording.
+  template <typename Action>
+  void guarded(const Action& action);
+
+  OutputFile output;
+  ChunkCodec codec;
+  Handle file;  // before the tables, so that it is closed after them
+  std::optional<FrameTables> frames;
+  std::optional<OutcomeTables> outcome;
+  Structure structure;
+  Clock::time_point last_flush = Clock::now();
+  double last_time = 0;
+  std::size_t frame_count = 0;
+  std::string refusal;  // why nothing more can be written, if so
+};
+
+template <typename Action>
+void Recorder::Impl::guarded(const Action& action) {
+  silence_hdf5();
+  if (!refusal.empty()) throw RecordingError(fmt::format("Cannot write \"{}\": {}.", output.path(), refusal));
+  try {
+    action();
+  } catch (const Hdf5Error& error) {
+    refusal = "an earlier write failed";
+    throw RecordingError(fmt::format("Cannot write \"{}\": failed to {}.", output.path(), error.what()));
+  }
+}
+
+void Recorder::Impl::create(const RunOrigin& origin, const Structure& model) {
+  const std::string fault = find_fault(model);
+  if (!fault.empty()) throw RecordingError(fmt::format("Cannot record \"{}\": {}.", output.path(), fault));
+  structure = model;
+  file = create_file(output.working_path());
+  ensure_room();
+  write_origin(file.get(), origin, codec);
+  write_structure(file.get(), structure, codec);
+  frames.emplace(file.get(), structure, codec);
+  outcome.emplace(file.get(), codec);
+  // From here on every write keeps the file readable, whenever the program dies (HDF5's single writer, multiple
+  // readers mode); the price is that no dataset or attribute can be added any more.
+  checked(H5Fstart_swmr_write(file.get()), "make the file safe against crashes");
+}
+
+void Recorder::Impl::ensure_room() {
+  hsize_t size = 0;
+  checked(H5Fget_filesize(file.get(), &size), "find the file's size");
+  output.ensure_room(size);
+}
+
+void Recorder::Impl::check_sizes(const Snapshot& snapshot) const {
+  const auto elements = static_cast<Eigen::Index>(structure.elements.size());
+  const bool fits = snapshot.positions.cols() == structure.node_count &&
+                    snapshot.velocities.cols() == structure.node_count &&
+                    snapshot.gradients.cols() == structure.gradient_count && snapshot.tension.size() == elements &&
+                    snapshot.strain.size() == elements &&
+                    snapshot.rope_element_length.size() == static_cast<std::size_t>(structure.rope_count) &&
+                    snapshot.bodies.size() == structure.bodies.size();
+  if (!fits) throw RecordingError(fmt::format("Cannot write \"{}\": a frame does not fit the model.", output.path()));
+  if (!std::isfinite(snapshot.time) || (frame_count > 0 && snapshot.time < last_time)) {
+    throw RecordingError(
+        fmt::format("Cannot write \"{}\": frames are out of order at t = {} s.", output.path(), snapshot.time));
+  }
+}
+
+void Recorder::Impl::write(const Snapshot& snapshot) {
+  check_sizes(snapshot);
+  ensure_room();
+  frames->append(snapshot);
+  last_time = snapshot.time;
+  ++frame_count;
+  if (frame_count == 1 || Clock::now() - last_flush >= kFlushInterval) flush();
+}
+
+void Recorder::Impl::flush() {
+  if (frame_count == 0) return;
+  frames->flush(file.get());
+  output.publish();
+  last_flush = Clock::now();
+}
+
+void Recorder::Impl::close() {
+  silence_hdf5();
+  try {
+    if (refusal.empty() && frames) flush();
+  } catch (const std::exception&) {
+    // The frames of the last flush are safe; a destructor cannot say more.
+  }
+  frames.reset();
+  outcome.reset();
+  file.reset();
+  output.close();
+  refusal = "the recording is finished";
+}
+
+Recorder::Recorder(const std::string& path, const RunOrigin& origin, const Structure& structure, bool overwrite)
+    : impl_(std::make_unique<Impl>(path, overwrite)) {
+  impl_->guarded([&] { impl_->create(origin, structure); });
+}
+
+Recorder::~Recorder() = default;
+
+void Recorder::write(const Snapshot& snapshot) {
+  impl_->guarded([&] { impl_->write(snapshot); });
+}
+
+void Recorder::flush() {
+  impl_->guarded([&] { impl_->flush(); });
+}
+
+void Recorder::finish(const RunStatus& status, const RunStatistics& statistics) {
+  impl_->guarded([&] {
+    impl_->flush();
+    impl_->outcome->write(impl_->file.get(), status, statistics);
+  });
+  impl_->close();
+}
+
+}  // namespace netpocket

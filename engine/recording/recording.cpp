@@ -1,0 +1,288 @@
+#include "engine/recording/recording.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <sstream>
+
+#include "engine/recording/hdf5_input.h"
+#include "engine/recording/layout.h"
+#include "engine/recording/outcome_io.h"
+#include "engine/recording/structure_io.h"
+
+namespace netpocket {
+
+namespace {
+
+std::string read_text(const InputFile& file, const std::string& path) {
+  const auto texts = read_texts(file, path);
+  if (texts.size() != 1) throw Hdf5Error(path + " has the wrong length");
+  return texts[0];
+}
+
+void check_format(const InputFile& file) {
+  std::string format;
+  try {
+    format = file.read_text_attribute("/", "format");
+  } catch (const Hdf5Error&) {
+    // Some other program's HDF5 file.
+  }
+  if (format != layout::kFormat) throw Hdf5Error("it is not a Netpocket recording");
+  const std::int32_t version = file.read_count_attribute("/", "format_version");
+  if (version != layout::kVersion) {
+    throw Hdf5Error(fmt::format("its format is version {}, this program reads version {}", version, layout::kVersion));
+  }
+}
+
+RunOrigin read_origin(const InputFile& file) {
+  RunOrigin origin;
+  origin.scenario_name = read_text(file, "/scenario_name");
+  origin.scenario_text = read_text(file, "/scenario");
+  origin.command = read_text(file, "/command");
+  origin.netpocket_version = file.read_text_attribute("/", "netpocket_version");
+  origin.commit = file.read_text_attribute("/", "commit");
+  origin.seed = file.read_count_attribute("/", "seed");
+  origin.threads = file.read_count_attribute("/", "threads");
+  origin.closing_end = file.read_number_attribute("/", "closing_end");
+  origin.towing_start = file.read_number_attribute("/", "towing_start");
+  return origin;
+}
+
+// Column of each channel, by the names in the file.
+std::array<std::size_t, kChannelCount> find_columns(const InputFile& file, std::size_t& column_count) {
+  std::istringstream names(file.read_text_attribute("/frames/channels", "names"));
+  std::vector<std::string> columns;
+  for (std::string name; std::getline(names, name, ',');) columns.push_back(name);
+  column_count = columns.size();
+  std::array<std::size_t, kChannelCount> found{};
+  for (std::size_t c = 0; c < kChannelCount; ++c) {
+    const auto column = std::find(columns.begin(), columns.end(), kChannels[c].name);
+    if (column == columns.end()) throw Hdf5Error(fmt::format("channel {} is missing", kChannels[c].name));
+    found[c] = static_cast<std::size_t>(column - columns.begin());
+  }
+  return found;
+}
+
+BodyState body_state(const double* n) {
+  BodyState body;
+  body.position = {n[0], n[1], n[2]};
+  body.attitude = Eigen::Quaterniond(n[3], n[4], n[5], n[6]);
+  body.velocity = {n[7], n[8], n[9]};
+  body.angular_velocity = {n[10], n[11], n[12]};
+  return body;
+}
+
+// The tables of a frame, as FORMAT.md lists them. Tables without columns are absent.
+struct Tables {
+  Tables(const InputFile& file, const Structure& structure);
+  void check_rows(std::size_t frames) const;
+
+  InputTable position, velocity, gradient, tension, strain, rope, body, step, contact_range;
+  InputTable contact_position, contact_force, contact_element, contact_body;
+};
+
+Tables::Tables(const InputFile& file, const Structure& structure) {
+  const auto open = [&](InputTable& table, const char* path, H5T_class_t type, const std::vector<hsize_t>& shape) {
+    const bool has_columns = shape.empty() || shape[0] > 0;
+    if (has_columns) table = InputTable(file, path, type, shape);
+  };
+  const auto nodes = static_cast<hsize_t>(structure.node_count);
+  const auto gradients = static_cast<hsize_t>(structure.gradient_count);
+  const hsize_t elements = structure.elements.size();
+  open(position, "/frames/position", H5T_FLOAT, {nodes, 3});
+  open(velocity, "/frames/velocity", H5T_FLOAT, {nodes, 3});
+  open(gradient, "/frames/gradient", H5T_FLOAT, {gradients, 3});
+  open(tension, "/frames/tension", H5T_FLOAT, {elements});
+  open(strain, "/frames/strain", H5T_FLOAT, {elements});
+  open(rope, "/frames/rope_element_length", H5T_FLOAT, {static_cast<hsize_t>(structure.rope_count)});
+  open(body, "/frames/body_state", H5T_FLOAT, {structure.bodies.size(), layout::kBodyNumbers});
+  open(step, "/frames/step", H5T_INTEGER, {});
+  open(contact_range, "/frames/contact_range", H5T_INTEGER, {2});
+  open(contact_position, "/contacts/position", H5T_FLOAT, {3});
+  open(contact_force, "/contacts/force", H5T_FLOAT, {3});
+  open(contact_element, "/contacts/element", H5T_INTEGER, {});
+  open(contact_body, "/contacts/body", H5T_INTEGER, {});
+}
+
+void Tables::check_rows(std::size_t frames) const {
+  for (const InputTable* table :
+       {&position, &velocity, &gradient, &tension, &strain, &rope, &body, &step, &contact_range}) {
+    if (table->is_open() && table->row_count() < frames) throw Hdf5Error("some of its frames are incomplete");
+  }
+}
+
+std::string refusal(const std::string& path, const std::string& reason) {
+  return fmt::format("Cannot read \"{}\": {}.", path, reason);
+}
+
+}  // namespace
+
+struct Recording::Impl {
+  explicit Impl(const std::string& file_path) : path(file_path), file(file_path) {}
+
+  void open();
+  void read_channels();
+  void complete_outcome();
+  Snapshot read_frame(std::size_t index) const;
+  void read_nodes(std::size_t index, Snapshot& snapshot) const;
+  void read_contacts(std::size_t index, Snapshot& snapshot) const;
+
+  std::string path;
+  InputFile file;
+  RunOrigin origin;
+  Structure structure;
+  Outcome outcome;
+  std::optional<Tables> tables;
+  std::array<std::vector<double>, kChannelCount> channels;
+};
+
+void Recording::Impl::open() {
+  check_format(file);
+  origin = read_origin(file);
+  structure = read_structure(file);
+  read_channels();
+  tables.emplace(file, structure);
+  tables->check_rows(channels[0].size());
+  complete_outcome();
+}
+
+// The channels come before the other tables: while another program adds frames, those are complete up to the last row
+// of channels. Rows that a killed program announced but did not write have a time of NaN.
+void Recording::Impl::read_channels() {
+  std::size_t columns = 0;
+  const auto column_of = find_columns(file, columns);
+  const InputTable table(file, "/frames/channels", H5T_FLOAT, {columns});
+  const auto values = table.read<double>(0, table.row_count());
+  const std::size_t time = column_of[static_cast<std::size_t>(Channel::time)];
+  std::size_t frames = 0;
+  while (frames < table.row_count() && std::isfinite(values[frames * columns + time])) ++frames;
+  for (std::size_t c = 0; c < kChannelCount; ++c) {
+    channels[c].resize(frames);
+    for (std::size_t i = 0; i < frames; ++i) channels[c][i] = values[i * columns + column_of[c]];
+  }
+  const auto& times = channels[static_cast<std::size_t>(Channel::time)];
+  if (!std::is_sorted(times.begin(), times.end())) throw Hdf5Error("its frames are out of order");
+}
+
+void Recording::Impl::complete_outcome() {
+  const auto& times = channels[static_cast<std::size_t>(Channel::time)];
+  if (auto stored = read_outcome(file)) {
+    outcome = std::move(*stored);
+    return;
+  }
+  outcome.status.time = times.empty() ? 0 : times.back();
+  outcome.status.message = "The run was cut off, or is still going on.";
+  outcome.statistics.simulated_seconds = outcome.status.time;
+  outcome.statistics.elements = static_cast<std::int32_t>(structure.elements.size());
+  outcome.statistics.steps = times.empty() ? 0 : tables->step.read<std::int64_t>(times.size() - 1, 1)[0];
+}
+
+Snapshot Recording::Impl::read_frame(std::size_t index) const {
+  Snapshot snapshot;
+  for (std::size_t c = 0; c < kChannelCount; ++c) snapshot.channels[c] = channels[c][index];
+  snapshot.time = snapshot.channel(Channel::time);
+  snapshot.step = tables->step.read<std::int64_t>(index, 1)[0];
+  read_nodes(index, snapshot);
+  if (tables->rope.is_open()) snapshot.rope_element_length = tables->rope.read<double>(index, 1);
+  if (tables->body.is_open()) {
+    const auto numbers = tables->body.read<double>(index, 1);
+    for (std::size_t i = 0; i < numbers.size(); i += layout::kBodyNumbers) {
+      snapshot.bodies.push_back(body_state(numbers.data() + i));
+    }
+  }
+  read_contacts(index, snapshot);
+  return snapshot;
+}
+
+void Recording::Impl::read_nodes(std::size_t index, Snapshot& snapshot) const {
+  const auto matrix = [index](const InputTable& table) -> Eigen::Matrix3Xd {
+    if (!table.is_open()) return Eigen::Matrix3Xd(3, 0);
+    const auto values = table.read<double>(index, 1);
+    return Eigen::Map<const Eigen::Matrix3Xd>(values.data(), 3, static_cast<Eigen::Index>(values.size() / 3));
+  };
+  const auto vector = [index](const InputTable& table) -> Eigen::VectorXd {
+    if (!table.is_open()) return Eigen::VectorXd(0);
+    const auto values = table.read<double>(index, 1);
+    return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+  };
+  snapshot.positions = matrix(tables->position);
+  snapshot.velocities = matrix(tables->velocity);
+  snapshot.gradients = matrix(tables->gradient);
+  snapshot.tension = vector(tables->tension);
+  snapshot.strain = vector(tables->strain);
+}
+
+void Recording::Impl::read_contacts(std::size_t index, Snapshot& snapshot) const {
+  const auto range = tables->contact_range.read<std::int64_t>(index, 1);
+  if (range[0] < 0 || range[1] < 0) throw Hdf5Error("its contacts are damaged");
+  const auto first = static_cast<hsize_t>(range[0]);
+  const auto count = static_cast<hsize_t>(range[1]);
+  const auto positions = tables->contact_position.read<double>(first, count);
+  const auto forces = tables->contact_force.read<double>(first, count);
+  const auto elements = tables->contact_element.read<std::int32_t>(first, count);
+  const auto bodies = tables->contact_body.read<std::int32_t>(first, count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const ContactPoint contact = {Eigen::Vector3d(positions.data() + 3 * i), Eigen::Vector3d(forces.data() + 3 * i),
+                                  elements[i], bodies[i]};
+    const bool valid = contact.element >= 0 && contact.body >= 0 &&
+                       static_cast<std::size_t>(contact.element) < structure.elements.size() &&
+                       static_cast<std::size_t>(contact.body) < structure.bodies.size();
+    if (!valid) throw Hdf5Error("its contacts are damaged");
+    snapshot.contacts.push_back(contact);
+  }
+}
+
+Recording::Recording(const std::string& path) {
+  silence_hdf5();
+  try {
+    impl_ = std::make_unique<Impl>(path);
+    impl_->open();
+  } catch (const Hdf5Error& error) {
+    throw RecordingError(refusal(path, error.what()));
+  } catch (const std::bad_alloc&) {
+    throw RecordingError(refusal(path, "it does not fit in memory"));
+  }
+}
+
+Recording::~Recording() = default;
+Recording::Recording(Recording&&) noexcept = default;
+Recording& Recording::operator=(Recording&&) noexcept = default;
+
+const std::string& Recording::path() const { return impl_->path; }
+const RunOrigin& Recording::origin() const { return impl_->origin; }
+const Structure& Recording::structure() const { return impl_->structure; }
+const RunStatus& Recording::status() const { return impl_->outcome.status; }
+const RunStatistics& Recording::statistics() const { return impl_->outcome.statistics; }
+std::size_t Recording::frame_count() const { return times().size(); }
+const std::vector<double>& Recording::times() const { return channel(Channel::time); }
+
+const std::vector<double>& Recording::channel(Channel c) const {
+  return impl_->channels.at(static_cast<std::size_t>(c));
+}
+
+Snapshot Recording::frame(std::size_t index) const {
+  if (index >= frame_count()) {
+    throw RecordingError(refusal(path(), fmt::format("it has no frame {}, only {}", index, frame_count())));
+  }
+  silence_hdf5();
+  try {
+    return impl_->read_frame(index);
+  } catch (const Hdf5Error& error) {
+    throw RecordingError(refusal(path(), error.what()));
+  }
+}
+
+std::size_t Recording::frame_at(double time) const {
+  const auto& t = times();
+  if (t.empty()) throw RecordingError(refusal(path(), "it has no frame"));
+  const auto after = std::lower_bound(t.begin(), t.end(), time);
+  if (after == t.begin()) return 0;
+  if (after == t.end()) return t.size() - 1;
+  const bool earlier_is_nearer = time - *(after - 1) <= *after - time;
+  return static_cast<std::size_t>(after - t.begin()) - (earlier_is_nearer ? 1 : 0);
+}
+
+}  // namespace netpocket
