@@ -23,8 +23,9 @@ void draw_figure(const Figure& figure, cairo_t* context, double width, double he
   cairo_fill(context);
 
   const double title_height = figure.title.empty() ? 0 : style::kFigureTitle.size * kLineHeight + style::kGap;
-  draw_text(context, figure.title, style::kFigureTitle, width / 2,
-            style::kOuterMargin + kCapHeight * style::kFigureTitle.size, TextAlign::centre);
+  const TextStyle title = shrunk_to_fit(context, figure.title, style::kFigureTitle, width - 2 * style::kOuterMargin);
+  draw_text(context, figure.title, title, width / 2, style::kOuterMargin + kCapHeight * style::kFigureTitle.size,
+            TextAlign::centre);
   const Box area{style::kOuterMargin, style::kOuterMargin + title_height, width - 2 * style::kOuterMargin,
                  height - 2 * style::kOuterMargin - title_height};
   const std::vector<PanelLayout> layouts = lay_out_panels(figure, context, area);

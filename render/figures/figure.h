@@ -5,13 +5,13 @@
 // Texts are rich text (rich_text.h): *italic*, _{subscript}, ^{superscript}. Pass names that come from a user through
 // plain_text(). Lengths on paper are in points (1/72 inch) unless the name says millimetres.
 
+#include <cairo.h>
+
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "render/figures/palette.h"
-
-struct _cairo;
 
 namespace netpocket {
 
@@ -69,6 +69,6 @@ struct Figure {
 // is taken as one point: text keeps its size, the panels fill what is left. For a screen, cairo_scale() first. The
 // context's state is restored. Works on any Cairo surface; on image surfaces long curves are reduced to what the pixels
 // can show. Thread contract: one thread at a time per context.
-void draw_figure(const Figure& figure, struct _cairo* context, double width, double height);
+void draw_figure(const Figure& figure, cairo_t* context, double width, double height);
 
 }  // namespace netpocket

@@ -30,11 +30,11 @@ void require_success(cairo_status_t status, const Figure& figure) {
   throw FigureError(fmt::format("cannot draw figure '{}': {}", figure.title, cairo_status_to_string(status)));
 }
 
-void draw_onto(const Figure& figure, cairo_surface_t* surface, double scale) {
+void draw_onto(const Figure& figure, cairo_surface_t* surface, double width, double height, double scale) {
   require_success(cairo_surface_status(surface), figure);
   const ContextPointer context(cairo_create(surface), &cairo_destroy);
   cairo_scale(context.get(), scale, scale);
-  draw_figure(figure, context.get(), figure.width(), figure.height());
+  draw_figure(figure, context.get(), width, height);
   require_success(cairo_status(context.get()), figure);
 }
 
@@ -75,7 +75,7 @@ std::string encode_png(const Figure& figure, double resolution) {
   const SurfacePointer surface(
       cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(width), static_cast<int>(height)),
       &cairo_surface_destroy);
-  draw_onto(figure, surface.get(), scale);
+  draw_onto(figure, surface.get(), width / scale, height / scale, scale);  // whole pixels to the edge
   std::string bytes;
   require_success(cairo_surface_write_to_png_stream(surface.get(), append, &bytes), figure);
   state_resolution(bytes, resolution);
@@ -90,7 +90,7 @@ std::string encode_vector(const Figure& figure, FigureFormat format) {
   if (format == FigureFormat::pdf) {
     cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, figure.title.c_str());
   }
-  draw_onto(figure, surface.get(), 1);
+  draw_onto(figure, surface.get(), figure.width(), figure.height(), 1);
   cairo_surface_finish(surface.get());
   require_success(cairo_surface_status(surface.get()), figure);
   return bytes;

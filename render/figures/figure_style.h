@@ -7,6 +7,7 @@ namespace netpocket::style {
 
 inline constexpr FigureColour kFrame = colour_from_bytes(50, 50, 50);
 inline constexpr FigureColour kGrid = colour_from_bytes(228, 228, 228);
+inline constexpr FigureColour kLegendFrame = colour_from_bytes(205, 205, 205);
 inline constexpr FigureColour kZeroLine = colour_from_bytes(150, 150, 150);
 
 inline constexpr TextStyle kFigureTitle{9, true, kBlack};
@@ -25,9 +26,9 @@ inline constexpr double kMinorTick = 1.6;
 inline constexpr double kGap = 3;             // between neighbouring texts and lines
 inline constexpr double kOuterMargin = 4;     // around the figure
 inline constexpr double kRightMargin = 9;     // right of a frame: half of the last tick label
-inline constexpr double kPhaseStrip = 10;     // height for phase labels at the top of a frame
+inline constexpr double kPhaseStrip = 10.5;   // height for phase labels at the top of a frame
 inline constexpr double kCurveMargin = 0.06;  // of the range, between curves and frame
-inline constexpr double kTickSpacingX = 36;   // least distance between labelled ticks
-inline constexpr double kTickSpacingY = 24;
+inline constexpr double kTickSpacingX = 30;   // least distance between labelled ticks
+inline constexpr double kTickSpacingY = 15;
 
 }  // namespace netpocket::style

@@ -1,8 +1,8 @@
 #include "render/figures/legend.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "render/figures/curve_pen.h"
 #include "render/figures/figure_style.h"
 
 namespace netpocket {
@@ -14,35 +14,50 @@ constexpr double kPadding = 3;
 constexpr int kPlacesAcross = 13;
 constexpr int kPlacesDown = 9;
 
-struct Legend {
-  std::vector<const Curve*> entries;
-  std::size_t columns = 1;
-  double entry_width = 0;
-
-  std::size_t rows() const { return (entries.size() + columns - 1) / columns; }
-  double width() const { return static_cast<double>(columns) * entry_width + kPadding; }
-  double height() const { return static_cast<double>(rows()) * kEntryHeight + 2 * kPadding; }
-};
-
-Legend make_legend(cairo_t* context, const std::vector<Curve>& curves) {
-  Legend legend;
-  for (const Curve& curve : curves) {
-    if (curve.label.empty()) continue;
-    legend.entries.push_back(&curve);
-    const double text = text_width(context, curve.label, style::kLegend);
-    legend.entry_width = std::max(legend.entry_width, kKeyLength + text + 3 * kPadding);
+// Entries of the labelled curves, arranged column by column.
+class Legend {
+ public:
+  Legend(cairo_t* context, const std::vector<Curve>& curves) {
+    for (const Curve& curve : curves) {
+      if (curve.label.empty()) continue;
+      entries_.push_back(&curve);
+      text_widths_.push_back(text_width(context, curve.label, style::kLegend));
+    }
   }
-  return legend;
-}
 
-struct Place {
-  Box box;
-  double cost = INFINITY;  // points of curve hidden, then distance from the nearest corner
+  std::size_t size() const { return entries_.size(); }
+  const Curve& entry(std::size_t index) const { return *entries_[index]; }
+  std::size_t rows(std::size_t columns) const { return (size() + columns - 1) / columns; }
+
+  double column_width(std::size_t columns, std::size_t column) const {
+    double widest = 0;
+    const std::size_t first = column * rows(columns);
+    for (std::size_t i = first; i < std::min(size(), first + rows(columns)); ++i) {
+      widest = std::max(widest, text_widths_[i]);
+    }
+    return kKeyLength + kPadding + widest + 2 * kPadding;
+  }
+
+  double width(std::size_t columns) const {
+    double sum = 0;
+    for (std::size_t column = 0; column < columns; ++column) sum += column_width(columns, column);
+    return sum + kPadding / 2;
+  }
+
+  double height(std::size_t columns) const {
+    return static_cast<double>(rows(columns)) * kEntryHeight + 2 * kPadding - 1;
+  }
+
+ private:
+  std::vector<const Curve*> entries_;
+  std::vector<double> text_widths_;
 };
 
 double hidden_length(const std::vector<Polyline>& lines, const Box& box) {
+  constexpr double kClearance = 1.5;
+  const Box wider{box.x - kClearance, box.y - kClearance, box.width + 2 * kClearance, box.height + 2 * kClearance};
   double length = 0;
-  for (const Polyline& line : lines) length += length_inside(line, box);
+  for (const Polyline& line : lines) length += length_inside(line, wider);
   return length;
 }
 
@@ -55,19 +70,9 @@ double distance_from_corner(const Box& box, const Box& free) {
   return std::min(right, left + 1) + std::min(top, bottom + 2);
 }
 
-Place best_place(const Legend& legend, const std::vector<Polyline>& lines, const Box& free) {
-  constexpr double kPointsPerHiddenPoint = 100;  // a hidden stretch weighs more than any way to a corner
-  Place best;
-  for (int across = 0; across < kPlacesAcross; ++across) {
-    for (int down = 0; down < kPlacesDown; ++down) {
-      const double x = free.x + (free.width - legend.width()) * across / (kPlacesAcross - 1);
-      const double y = free.y + (free.height - legend.height()) * down / (kPlacesDown - 1);
-      const Box box{x, y, legend.width(), legend.height()};
-      const double cost = kPointsPerHiddenPoint * hidden_length(lines, box) + distance_from_corner(box, free);
-      if (cost < best.cost) best = {box, cost};
-    }
-  }
-  return best;
+// A hidden stretch of curve weighs more than any way to a corner.
+double cost(const LegendPlace& place, const Box& free) {
+  return 1000 * place.hidden + distance_from_corner(place.box, free);
 }
 
 void draw_key(cairo_t* context, const Curve& curve, double x, double y) {
@@ -76,65 +81,60 @@ void draw_key(cairo_t* context, const Curve& curve, double x, double y) {
   if (curve.marker != Marker::none) draw_marker(context, curve, {x + kKeyLength / 2, y});
 }
 
-void paint(cairo_t* context, const Legend& legend, const Box& box) {
-  cairo_set_source_rgba(context, 1, 1, 1, 0.85);
+void paint_background(cairo_t* context, const Box& box) {
   cairo_rectangle(context, box.x, box.y, box.width, box.height);
-  cairo_fill(context);
-  for (std::size_t i = 0; i < legend.entries.size(); ++i) {
-    const double x = box.x + kPadding + static_cast<double>(i % legend.columns) * legend.entry_width;
-    const double y = box.y + kPadding + (static_cast<double>(i / legend.columns) + 0.5) * kEntryHeight;
-    draw_key(context, *legend.entries[i], x, y);
-    draw_text(context, legend.entries[i]->label, style::kLegend, x + kKeyLength + kPadding,
-              y + kCapHeight * style::kLegend.size / 2, TextAlign::left);
-  }
+  cairo_set_source_rgba(context, 1, 1, 1, 0.85);
+  cairo_fill_preserve(context);
+  cairo_set_source_rgb(context, style::kLegendFrame.red, style::kLegendFrame.green, style::kLegendFrame.blue);
+  cairo_set_line_width(context, style::kGridLine);
+  cairo_stroke(context);
 }
 
 }  // namespace
 
-void draw_legend(cairo_t* context, const std::vector<Curve>& curves, const std::vector<Polyline>& lines,
-                 const Box& free) {
-  Legend legend = make_legend(context, curves);
-  if (legend.entries.empty()) return;
-  Place best;
-  Legend chosen;
-  for (std::size_t columns = 1; columns <= legend.entries.size(); ++columns) {
-    legend.columns = columns;
-    const bool fits = legend.width() <= free.width && legend.height() <= free.height;
-    if (!fits && columns > 1) continue;
-    const Place place = best_place(legend, lines, free);
-    if (place.cost < best.cost) {
-      best = place;
-      chosen = legend;
+LegendPlace place_legend(cairo_t* context, const std::vector<Curve>& curves, const std::vector<Polyline>& lines,
+                         const Box& free) {
+  const Legend legend(context, curves);
+  LegendPlace best;
+  for (std::size_t columns = 1; columns <= legend.size(); ++columns) {
+    const double width = legend.width(columns);
+    const double height = legend.height(columns);
+    const bool fits = width <= free.width && height <= free.height;
+    if (!fits && !best.empty()) continue;
+    for (int across = 0; across < kPlacesAcross; ++across) {
+      for (int down = 0; down < kPlacesDown; ++down) {
+        LegendPlace place;
+        place.columns = columns;
+        place.box = {free.x + (free.width - width) * across / (kPlacesAcross - 1),
+                     free.y + (free.height - height) * down / (kPlacesDown - 1), width, height};
+        place.hidden = hidden_length(lines, place.box);
+        if (best.empty() || cost(place, free) < cost(best, free)) best = place;
+      }
     }
   }
-  paint(context, chosen, best.box);
+  return best;
 }
 
-void stroke_line(cairo_t* context, const Curve& curve, const Polyline& line) {
-  if (line.empty()) return;
-  cairo_set_source_rgb(context, curve.colour.red, curve.colour.green, curve.colour.blue);
-  cairo_set_line_width(context, curve.width);
-  cairo_set_line_join(context, CAIRO_LINE_JOIN_ROUND);
-  cairo_set_line_cap(context, curve.dash.empty() ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_BUTT);
-  cairo_set_dash(context, curve.dash.data(), static_cast<int>(curve.dash.size()), 0);
-  cairo_move_to(context, line.front().x, line.front().y);
-  for (const Point& point : line) cairo_line_to(context, point.x, point.y);
-  cairo_stroke(context);
-  cairo_set_dash(context, nullptr, 0, 0);
+double flattest_legend_height(cairo_t* context, const std::vector<Curve>& curves, double width) {
+  const Legend legend(context, curves);
+  std::size_t columns = std::max<std::size_t>(legend.size(), 1);
+  while (columns > 1 && legend.width(columns) > width) --columns;
+  return legend.height(columns);
 }
 
-void draw_marker(cairo_t* context, const Curve& curve, const Point& centre) {
-  const double radius = 1.2 + curve.width;
-  cairo_new_path(context);
-  if (curve.marker == Marker::circle) cairo_arc(context, centre.x, centre.y, radius, 0, 6.283185307179586);
-  if (curve.marker == Marker::square) {
-    cairo_rectangle(context, centre.x - radius, centre.y - radius, 2 * radius, 2 * radius);
+void draw_legend(cairo_t* context, const std::vector<Curve>& curves, const LegendPlace& place) {
+  if (place.empty()) return;
+  paint_background(context, place.box);
+  const Legend legend(context, curves);
+  const std::size_t rows = legend.rows(place.columns);
+  double x = place.box.x + kPadding;
+  for (std::size_t i = 0; i < legend.size(); ++i) {
+    if (i > 0 && i % rows == 0) x += legend.column_width(place.columns, i / rows - 1);
+    const double y = place.box.y + kPadding - 0.5 + (static_cast<double>(i % rows) + 0.5) * kEntryHeight;
+    draw_key(context, legend.entry(i), x, y);
+    draw_text(context, legend.entry(i).label, style::kLegend, x + kKeyLength + kPadding,
+              y + kCapHeight * style::kLegend.size / 2, TextAlign::left);
   }
-  cairo_set_source_rgb(context, 1, 1, 1);
-  cairo_fill_preserve(context);
-  cairo_set_source_rgb(context, curve.colour.red, curve.colour.green, curve.colour.blue);
-  cairo_set_line_width(context, 0.8);
-  cairo_stroke(context);
 }
 
 }  // namespace netpocket

@@ -10,13 +10,23 @@
 
 namespace netpocket {
 
-// Draws the entries of the labelled curves inside `free`, the part of the frame open to a legend. `lines` is what the
-// curves look like on paper. Nothing is drawn when no curve has a label.
-void draw_legend(cairo_t* context, const std::vector<Curve>& curves, const std::vector<Polyline>& lines,
-                 const Box& free);
+// Where a legend goes, and how its entries are arranged.
+struct LegendPlace {
+  Box box;
+  std::size_t columns = 1;
+  double hidden = 0;  // points of curve behind the legend
 
-// The line style and marker of a curve, for curves and legend keys alike.
-void stroke_line(cairo_t* context, const Curve& curve, const Polyline& line);
-void draw_marker(cairo_t* context, const Curve& curve, const Point& centre);
+  bool empty() const { return box.width <= 0; }
+};
+
+// The best place inside `free`, the part of a frame open to a legend, for the labelled curves. `lines` is what the
+// curves look like on paper. Empty when no curve has a label.
+LegendPlace place_legend(cairo_t* context, const std::vector<Curve>& curves, const std::vector<Polyline>& lines,
+                         const Box& free);
+
+// Height of the legend with as many columns as the width allows.
+double flattest_legend_height(cairo_t* context, const std::vector<Curve>& curves, double width);
+
+void draw_legend(cairo_t* context, const std::vector<Curve>& curves, const LegendPlace& place);
 
 }  // namespace netpocket

@@ -61,12 +61,14 @@ AxisLimits axis_limits(const PanelAxis& axis, const DataRange& range, double mar
   return limits;
 }
 
-// Lifts the upper limit so that curves stay below the phase labels.
-AxisLimits below_phase_labels(AxisLimits limits, double frame_height) {
-  const double free = std::max(frame_height - style::kPhaseStrip, frame_height / 2);
+// Lifts the upper limit so that the data stay out of the top of the frame.
+AxisLimits with_headroom(AxisLimits limits, double frame_height, double headroom) {
+  const double free = std::max(frame_height - headroom, frame_height / 2);
   limits.high = limits.low + limits.span() * frame_height / free;
   return limits;
 }
+
+double phase_strip(const Panel& panel) { return panel.phases.empty() ? 0 : style::kPhaseStrip; }
 
 int intervals(double length, double spacing) { return std::max(2, static_cast<int>(length / spacing)); }
 
@@ -84,7 +86,109 @@ struct Gutter {
   double multiplier = 0;  // widest text above the tick labels
 
   double title_baseline() const { return labels + 2 * style::kGap + 0.1 * style::kAxisTitle.size; }
-  double width() const { return std::max(title_baseline() + style::kAxisTitle.size, multiplier + style::kGap); }
+  double width() const { return std::max(title_baseline() + style::kAxisTitle.size, multiplier + 2 * style::kGap); }
+};
+
+// Height above the frames: panel titles, or room for half a tick label.
+double title_row_height(const Figure& figure) {
+  const bool titled = figure.panels.size() > 1 || std::any_of(figure.panels.begin(), figure.panels.end(),
+                                                              [](const Panel& panel) { return !panel.title.empty(); });
+  return titled ? style::kPanelTitle.size * kLineHeight + style::kGap : style::kTickLabel.size / 2;
+}
+
+class GridLayout {
+ public:
+  GridLayout(const Figure& figure, cairo_t* context, const Box& area)
+      : figure_(figure), context_(context), area_(area), ranges_(data_ranges(figure)) {
+    const std::size_t rows = (figure.panels.size() + columns_ - 1) / columns_;
+    cell_height_ = area.height / static_cast<double>(std::max<std::size_t>(rows, 1));
+    const double below = (style::kTickLabel.size + style::kAxisTitle.size) * kLineHeight + 2 * style::kGap;
+    frame_height_ = std::max(cell_height_ - above_ - below, 10.0);
+  }
+
+  // `headroom` is the height kept free for a legend at the top of each panel.
+  std::vector<PanelLayout> lay_out(const std::vector<double>& headroom) const {
+    std::vector<PanelLayout> layouts(figure_.panels.size());
+    std::vector<Gutter> gutters(columns_);
+    for (std::size_t i = 0; i < layouts.size(); ++i) {
+      set_vertical(figure_.panels[i], ranges_[i], headroom[i], layouts[i]);
+      Gutter& gutter = gutters[i % columns_];
+      const AxisTicks& ticks = layouts[i].y_ticks;
+      gutter.labels = std::max(gutter.labels, widest_label(context_, ticks));
+      gutter.multiplier = std::max(gutter.multiplier, text_width(context_, ticks.multiplier, style::kTickLabel));
+    }
+    set_horizontal(gutters, layouts);
+    for (std::size_t i = 0; i < layouts.size(); ++i) layouts[i].legend = legend_place(figure_.panels[i], layouts[i]);
+    return layouts;
+  }
+
+  // Headroom that lets every legend stand clear; equal within a group, which shares its limits.
+  std::vector<double> headroom_for_legends(const std::vector<PanelLayout>& layouts) const {
+    std::vector<double> headroom(layouts.size(), 0);
+    std::map<int, double> groups;
+    for (std::size_t i = 0; i < layouts.size(); ++i) {
+      if (layouts[i].legend.hidden > 0) {
+        const double width = free_for_legend(figure_.panels[i], layouts[i].frame).width;
+        headroom[i] = flattest_legend_height(context_, figure_.panels[i].curves, width) + 2 * style::kGap;
+      }
+      double& group = groups[figure_.panels[i].y_group];
+      group = std::max(group, headroom[i]);
+    }
+    for (std::size_t i = 0; i < layouts.size(); ++i) {
+      if (figure_.panels[i].y_group >= 0) headroom[i] = groups[figure_.panels[i].y_group];
+    }
+    return headroom;
+  }
+
+ private:
+  void set_vertical(const Panel& panel, const PanelRange& range, double headroom, PanelLayout& layout) const {
+    layout.has_data = !range.x.empty();
+    layout.x_limits = axis_limits(panel.x, range.x, 0);
+    layout.y_limits = axis_limits(panel.y, range.y, style::kCurveMargin);
+    layout.y_limits = with_headroom(layout.y_limits, frame_height_, phase_strip(panel) + headroom);
+    layout.y_ticks = make_ticks(layout.y_limits, intervals(frame_height_, style::kTickSpacingY));
+  }
+
+  void set_horizontal(const std::vector<Gutter>& gutters, std::vector<PanelLayout>& layouts) const {
+    double free_width = area_.width;
+    for (const Gutter& gutter : gutters) free_width -= gutter.width() + style::kRightMargin;
+    const double frame_width = std::max(free_width / static_cast<double>(columns_), 10.0);
+    double left = area_.x;
+    for (std::size_t column = 0; column < columns_; ++column) {
+      left += gutters[column].width();
+      for (std::size_t i = column; i < layouts.size(); i += columns_) {
+        const double top = area_.y + static_cast<double>(i / columns_) * cell_height_ + above_;
+        layouts[i].frame = {left, top, frame_width, frame_height_};
+        layouts[i].y_title_baseline = left - gutters[column].title_baseline();
+        layouts[i].x_ticks = make_ticks(layouts[i].x_limits, intervals(frame_width, style::kTickSpacingX));
+      }
+      left += frame_width + style::kRightMargin;
+    }
+  }
+
+  // The part of the frame clear of ticks and phase labels.
+  static Box free_for_legend(const Panel& panel, const Box& frame) {
+    const double inset = style::kMajorTick + 1;
+    const double top = panel.phases.empty() ? inset : style::kPhaseStrip + 2;
+    return {frame.x + inset, frame.y + top, frame.width - 2 * inset, frame.height - top - inset};
+  }
+
+  LegendPlace legend_place(const Panel& panel, const PanelLayout& layout) const {
+    std::vector<Polyline> lines;
+    for (const Curve& curve : panel.curves) {
+      for (const Polyline& line : map_curve(curve.x, curve.y, layout.map())) lines.push_back(decimate(line, 1));
+    }
+    return place_legend(context_, panel.curves, lines, free_for_legend(panel, layout.frame));
+  }
+
+  const Figure& figure_;
+  cairo_t* context_;
+  const Box area_;
+  const std::vector<PanelRange> ranges_;
+  const std::size_t columns_ = static_cast<std::size_t>(std::max(figure_.columns, 1));
+  const double above_ = title_row_height(figure_);
+  double cell_height_ = 0;
+  double frame_height_ = 0;
 };
 
 }  // namespace
@@ -96,44 +200,9 @@ PaperMap PanelLayout::map() const {
 }
 
 std::vector<PanelLayout> lay_out_panels(const Figure& figure, cairo_t* context, const Box& area) {
-  const std::size_t columns = static_cast<std::size_t>(std::max(figure.columns, 1));
-  const std::size_t rows = (figure.panels.size() + columns - 1) / columns;
-  const double above = style::kPanelTitle.size * kLineHeight + style::kGap;
-  const double below = (style::kTickLabel.size + style::kAxisTitle.size) * kLineHeight + 2 * style::kGap;
-  const double cell_height = area.height / static_cast<double>(std::max<std::size_t>(rows, 1));
-  const double frame_height = std::max(cell_height - above - below, 10.0);
-
-  const std::vector<PanelRange> ranges = data_ranges(figure);
-  std::vector<PanelLayout> layouts(figure.panels.size());
-  std::vector<Gutter> gutters(columns);
-  for (std::size_t i = 0; i < layouts.size(); ++i) {
-    const Panel& panel = figure.panels[i];
-    PanelLayout& layout = layouts[i];
-    layout.has_data = !ranges[i].x.empty();
-    layout.x_limits = axis_limits(panel.x, ranges[i].x, 0);
-    layout.y_limits = axis_limits(panel.y, ranges[i].y, style::kCurveMargin);
-    if (!panel.phases.empty()) layout.y_limits = below_phase_labels(layout.y_limits, frame_height);
-    layout.y_ticks = make_ticks(layout.y_limits, intervals(frame_height, style::kTickSpacingY));
-    Gutter& gutter = gutters[i % columns];
-    gutter.labels = std::max(gutter.labels, widest_label(context, layout.y_ticks));
-    gutter.multiplier = std::max(gutter.multiplier, text_width(context, layout.y_ticks.multiplier, style::kTickLabel));
-  }
-
-  double free_width = area.width;
-  for (const Gutter& gutter : gutters) free_width -= gutter.width() + style::kRightMargin;
-  const double frame_width = std::max(free_width / static_cast<double>(columns), 10.0);
-  double left = area.x;
-  for (std::size_t column = 0; column < columns; ++column) {
-    left += gutters[column].width();
-    for (std::size_t i = column; i < layouts.size(); i += columns) {
-      const double top = area.y + static_cast<double>(i / columns) * cell_height + above;
-      layouts[i].frame = {left, top, frame_width, frame_height};
-      layouts[i].y_title_baseline = left - gutters[column].title_baseline();
-      layouts[i].x_ticks = make_ticks(layouts[i].x_limits, intervals(frame_width, style::kTickSpacingX));
-    }
-    left += frame_width + style::kRightMargin;
-  }
-  return layouts;
+  const GridLayout grid(figure, context, area);
+  const std::vector<PanelLayout> tight = grid.lay_out(std::vector<double>(figure.panels.size(), 0));
+  return grid.lay_out(grid.headroom_for_legends(tight));
 }
 
 }  // namespace netpocket

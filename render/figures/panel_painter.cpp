@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/figures/curve_pen.h"
 #include "render/figures/figure_style.h"
-#include "render/figures/legend.h"
 
 namespace netpocket {
 namespace {
@@ -21,6 +21,7 @@ class PanelPainter {
       paint_grid();
       paint_phase_boundaries();
       paint_curves();
+      draw_legend(context_, panel_.curves, layout_.legend);
       paint_phase_labels();
       paint_ticks();
     } else {
@@ -53,9 +54,11 @@ class PanelPainter {
     double x = frame_.x;
     if (!letter.empty()) {
       draw_text(context_, letter, style::kPanelLetter, x, baseline, TextAlign::left);
-      x += text_width(context_, letter + " ", style::kPanelLetter);
+      x += text_width(context_, letter + "  ", style::kPanelLetter);
     }
-    draw_text(context_, panel_.title, style::kPanelTitle, x, baseline, TextAlign::left);
+    const double free = frame_.right() + style::kRightMargin - x;
+    draw_text(context_, panel_.title, shrunk_to_fit(context_, panel_.title, style::kPanelTitle, free), x, baseline,
+              TextAlign::left);
   }
 
   // The part of a phase inside the limits, on paper.
@@ -92,7 +95,7 @@ class PanelPainter {
       TextStyle text = style::kPhaseLabel;
       text.colour = phase.colour;
       if (text_width(context_, phase.label, text) + 2 > box.width) continue;
-      const double baseline = frame_.y + (style::kPhaseStrip + kCapHeight * text.size) / 2;
+      const double baseline = frame_.y + style::kPhaseStrip - 1.2;
       draw_text(context_, phase.label, text, box.x + box.width / 2, baseline, TextAlign::centre);
     }
   }
@@ -107,32 +110,23 @@ class PanelPainter {
     }
   }
 
-  // Width below which detail cannot be seen: a pixel, or 1/600 inch on paper.
+  // Width below which detail cannot be seen: a quarter of a pixel, or 1/600 inch on paper.
   double column_width() const {
     if (cairo_surface_get_type(cairo_get_target(context_)) != CAIRO_SURFACE_TYPE_IMAGE) return 72.0 / 600;
-    double dx = 1;
+    double dx = 0.25;
     double dy = 0;
-    cairo_user_to_device_distance(context_, &dx, &dy);
-    return 1 / std::max(std::hypot(dx, dy), 1e-6);
+    cairo_device_to_user_distance(context_, &dx, &dy);
+    return std::hypot(dx, dy);
   }
 
   void paint_curves() {
-    std::vector<Polyline> all;
     cairo_save(context_);
     cairo_rectangle(context_, frame_.x, frame_.y, frame_.width, frame_.height);
     cairo_clip(context_);
     for (const Curve& curve : panel_.curves) {
-      for (const Polyline& mapped : map_curve(curve.x, curve.y, map_)) {
-        paint_curve(curve, mapped);
-        all.push_back(decimate(mapped, 1));
-      }
+      for (const Polyline& line : map_curve(curve.x, curve.y, map_)) paint_curve(curve, line);
     }
     cairo_restore(context_);
-    const double top = panel_.phases.empty() ? 0 : style::kPhaseStrip;
-    const double inset = style::kMajorTick + 1;
-    draw_legend(context_, panel_.curves, all,
-                {frame_.x + inset, frame_.y + std::max(top, inset), frame_.width - 2 * inset,
-                 frame_.height - std::max(top, inset) - inset});
   }
 
   void paint_curve(const Curve& curve, const Polyline& mapped) {
@@ -158,7 +152,7 @@ class PanelPainter {
       draw_text(context_, layout_.y_ticks.labels[i], style::kTickLabel, frame_.x - style::kGap,
                 paper_y(layout_.y_ticks.major[i]) + kCapHeight * size / 2, TextAlign::right);
     }
-    draw_text(context_, layout_.y_ticks.multiplier, style::kTickLabel, frame_.x - style::kGap,
+    draw_text(context_, layout_.y_ticks.multiplier, style::kTickLabel, frame_.x - 2 * style::kGap,
               frame_.y - style::kGap - 0.1 * size, TextAlign::right);
   }
 

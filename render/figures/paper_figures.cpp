@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 
 #include "render/figures/axis_ticks.h"
@@ -20,6 +21,7 @@ constexpr std::size_t kPanelsAcross = 3;       // side by side, more runs start 
 constexpr double kSmallestMotion = 1e-9;       // m, less is round-off
 constexpr double kSmallestAxialMotion = 1e-3;  // m, keeps a body at rest on a readable scale
 constexpr double kSmallestForce = 1e-6;        // N, less is round-off
+constexpr double kThinLine = 0.7;              // points, for curves full of spikes
 constexpr const char* kTimeTitle = "Time *t* (s)";
 
 // ---- pieces ----
@@ -79,7 +81,7 @@ Panel time_panel(std::string title, std::string y_title, std::vector<PhaseBand> 
 std::string run_name(const RunSeries& run) { return plain_text(run.name); }
 
 // ", case 1" for one run, nothing for several.
-std::string only_run(const Runs& runs) { return runs.size() == 1 ? ": " + run_name(runs.front()) : ""; }
+std::string only_run(const Runs& runs) { return runs.size() == 1 ? ", " + run_name(runs.front()) : ""; }
 
 Figure grid(std::string title, std::vector<Panel> panels, std::size_t columns) {
   Figure figure;
@@ -100,28 +102,34 @@ void add_run_curves(Panel& panel, const Runs& runs, Channel channel) {
 
 // ---- Figure 3 ----
 
+Curve commanded_curve(const RunSeries& run, Channel channel, FigureColour colour, std::string label) {
+  Curve curve = channel_curve(run, channel, lighter(colour, 0.6), std::move(label));
+  curve.width = 3;
+  return curve;
+}
+
 // The commanded law as a broad pale line under the measured one, so that both show where they coincide.
 Panel closing_panel(const Runs& runs, Channel commanded, Channel measured, std::string title, std::string y_title) {
   Panel panel = time_panel(std::move(title), std::move(y_title), common_phases(runs));
   const bool single = runs.size() == 1;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    Curve curve = channel_curve(runs[i], commanded, lighter(run_colour(i), 0.6), single ? "commanded" : "");
-    curve.width = 3;
-    panel.curves.push_back(curve);
+    panel.curves.push_back(commanded_curve(runs[i], commanded, run_colour(i), single ? "commanded" : ""));
   }
   for (std::size_t i = 0; i < runs.size(); ++i) {
     panel.curves.push_back(channel_curve(runs[i], measured, run_colour(i), single ? "measured" : run_name(runs[i])));
   }
+  // For several runs one entry says what all pale lines are; it has no points.
+  if (!single) panel.curves.push_back(commanded_curve({}, commanded, kGrey, "commanded"));
   return panel;
 }
 
 Figure closing_figure(const Runs& runs) {
-  return grid("Closing of the mouth" + only_run(runs),
-              {closing_panel(runs, Channel::commanded_length, Channel::closing_length, "Distance of adjacent rod tips",
-                             "Distance *L* (m)"),
-               closing_panel(runs, Channel::commanded_speed, Channel::closing_speed, "Speed of closing",
-                             "Speed d*L*/d*t* (m/s)")},
-              2);
+  return grid(
+      "Closing of the mouth" + only_run(runs),
+      {closing_panel(runs, Channel::commanded_length, Channel::closing_length, "Distance between adjacent rod tips",
+                     "Distance *L* (m)"),
+       closing_panel(runs, Channel::commanded_speed, Channel::closing_speed, "Closing speed", "Speed d*L*/d*t* (m/s)")},
+      2);
 }
 
 // ---- Figures 5 and 9 ----
@@ -145,12 +153,13 @@ std::vector<Curve> peak_marker(const RunSeries& run) {
 }
 
 Panel force_panel(const RunSeries& run, std::string title) {
-  Panel panel = time_panel(std::move(title), "Contact force on the target (N)", phases(run));
+  Panel panel = time_panel(std::move(title), "Contact force *F* (N)", phases(run));
   panel.y.minimum_span = kSmallestForce;
   panel.y_group = 0;
-  panel.curves = {channel_curve(run, Channel::contact_fx, kOrange, "*F*_{x}"),
-                  channel_curve(run, Channel::contact_fy, kBlue, "*F*_{y}"),
-                  channel_curve(run, Channel::contact_fz, kGreen, "*F*_{z}")};
+  panel.curves = {channel_curve(run, Channel::contact_fx, kOrange, "*F_{x}*"),
+                  channel_curve(run, Channel::contact_fy, kBlue, "*F_{y}*"),
+                  channel_curve(run, Channel::contact_fz, kGreen, "*F_{z}*")};
+  for (Curve& curve : panel.curves) curve.width = kThinLine;
   for (Curve& curve : peak_marker(run)) panel.curves.push_back(curve);
   return panel;
 }
@@ -206,17 +215,17 @@ Panel lateral_panel(const RunSeries& run, const BodyChannels& body, std::string 
 }
 
 void add_body_row(std::vector<Panel>& panels, const RunSeries& run, const BodyChannels& body, const std::string& name) {
-  panels.push_back(axial_panel(run, body, name + ", along the pocket's axis"));
-  panels.push_back(lateral_panel(run, body, name + ", across it"));
+  panels.push_back(axial_panel(run, body, name + ": axial"));
+  panels.push_back(lateral_panel(run, body, name + ": lateral"));
 }
 
 void add_overlay_row(std::vector<Panel>& panels, const Runs& runs, const BodyChannels& body) {
   const std::string name = body.name;
-  Panel axial = time_panel(name + ", along the pocket's axis", "Position *Y* (m)", common_phases(runs));
+  Panel axial = time_panel(name + ": axial", "Position *Y* (m)", common_phases(runs));
   axial.y.minimum_span = kSmallestAxialMotion;
   add_run_curves(axial, runs, body.y);
 
-  Panel lateral = time_panel(name + ", across it", "Position *X*, *Z* (m)", common_phases(runs));
+  Panel lateral = time_panel(name + ": lateral", "Position *X*, *Z* (m)", common_phases(runs));
   lateral.y.minimum_span = kSmallestMotion;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     lateral.curves.push_back(channel_curve(runs[i], body.x, run_colour(i), "*X* " + run_name(runs[i])));
@@ -261,20 +270,27 @@ double largest_size(const std::vector<double>& values) {
   return largest;
 }
 
+// "case1: balance" for one run of several, "Balance" for the only one.
+std::string row_title(const std::string& name, std::string text) {
+  if (!name.empty()) return name + ": " + text;
+  text[0] = static_cast<char>(std::toupper(text[0]));
+  return text;
+}
+
 std::string error_title(const RunSeries& run) {
   const double input = largest_size(run.channel(Channel::energy_input));
-  if (input <= 0) return "error of the balance";
+  if (input <= 0) return "error";
   const double percent = 100 * largest_size(run.channel(Channel::energy_error)) / input;
-  return fmt::format("error of the balance, at most {:.2g} % of the input", percent);
+  return fmt::format("error, at most {:.2g} % of the input", percent);
 }
 
 void add_energy_row(std::vector<Panel>& panels, const RunSeries& run, const std::string& name) {
-  Panel balance = time_panel(name + "balance", "Energy (J)", phases(run));
+  Panel balance = time_panel(row_title(name, "balance"), "Energy (J)", phases(run));
   balance.curves = {channel_curve(run, Channel::energy_input, kBlack, "put in"),
                     channel_curve(run, Channel::energy_kinetic, kBlue, "kinetic"),
                     channel_curve(run, Channel::energy_strain, kVermillion, "strain"),
                     channel_curve(run, Channel::energy_dissipated, kGreen, "dissipated")};
-  Panel error = time_panel(name + error_title(run), "Energy error (J)", phases(run));
+  Panel error = time_panel(row_title(name, error_title(run)), "Energy error (J)", phases(run));
   error.curves = {channel_curve(run, Channel::energy_error, kPurple, "")};
   panels.push_back(balance);
   panels.push_back(error);
@@ -282,14 +298,15 @@ void add_energy_row(std::vector<Panel>& panels, const RunSeries& run, const std:
 
 Figure energy_figure(const Runs& runs) {
   std::vector<Panel> panels;
-  for (const RunSeries& run : runs) add_energy_row(panels, run, runs.size() > 1 ? run_name(run) + ": " : "");
-  return grid("Energy" + only_run(runs), panels, 2);
+  for (const RunSeries& run : runs) add_energy_row(panels, run, runs.size() > 1 ? run_name(run) : "");
+  return grid("Energy balance" + only_run(runs), panels, 2);
 }
 
 Figure tension_figure(const Runs& runs) {
   Panel net = time_panel("Largest tension in a net cord", "Tension (N)", common_phases(runs));
   Panel rope = time_panel("Tension in the closing ropes, mean", "Tension (N)", common_phases(runs));
   add_run_curves(net, runs, Channel::rope_tension_max);
+  for (Curve& curve : net.curves) curve.width = kThinLine;
   add_run_curves(rope, runs, Channel::closing_tension);
   return grid("Tension" + only_run(runs), {net, rope}, 2);
 }

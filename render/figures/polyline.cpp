@@ -9,6 +9,9 @@ namespace {
 
 // Length of the part of a segment inside a box (Liang & Barsky 1984).
 double length_inside(const Point& a, const Point& b, const Box& box) {
+  const bool misses = std::max(a.x, b.x) < box.x || std::min(a.x, b.x) > box.right() || std::max(a.y, b.y) < box.y ||
+                      std::min(a.y, b.y) > box.bottom();
+  if (misses) return 0;
   const double dx = b.x - a.x;
   const double dy = b.y - a.y;
   double enter = 0;

@@ -41,8 +41,8 @@ std::vector<Polyline> map_curve(const std::vector<double>& x, const std::vector<
 // Length of the part of the line that lies inside the box.
 double length_inside(const Polyline& line, const Box& box);
 
-// Keeps the first, lowest, highest and last of consecutive points in one column of the given width: a line through them
-// covers the same pixels when a column is a pixel wide.
+// Keeps the first, lowest, highest and last of consecutive points in one column of the given width. A line through them
+// looks the same when a column is a quarter of a pixel wide (one pixel changes the edges of dense curves).
 Polyline decimate(const Polyline& line, double column_width);
 
 }  // namespace netpocket

@@ -1,5 +1,7 @@
 #include "render/figures/rich_text.h"
 
+#include <algorithm>
+
 namespace netpocket {
 namespace {
 
@@ -74,6 +76,12 @@ double text_width(cairo_t* context, std::string_view markup, const TextStyle& st
   double width = 0;
   for (const TextRun& run : parse_rich_text(markup)) width += advance(context, run, style);
   return width;
+}
+
+TextStyle shrunk_to_fit(cairo_t* context, std::string_view markup, TextStyle style, double width) {
+  const double needed = text_width(context, markup, style);
+  if (needed > width) style.size *= std::max(width, 1.0) / needed;
+  return style;
 }
 
 void draw_text(cairo_t* context, std::string_view markup, const TextStyle& style, double x, double y, TextAlign align) {

@@ -40,6 +40,9 @@ std::string plain_text(std::string_view text);
 
 double text_width(cairo_t* context, std::string_view markup, const TextStyle& style);
 
+// The style, smaller if need be for the text to keep within `width`.
+TextStyle shrunk_to_fit(cairo_t* context, std::string_view markup, TextStyle style, double width);
+
 // y is the baseline; x the left end, the centre or the right end.
 void draw_text(cairo_t* context, std::string_view markup, const TextStyle& style, double x, double y, TextAlign align);
 

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "render/figures/figure_file.h"
+#include "test_directory.h"
 
 namespace netpocket {
 namespace {
@@ -33,11 +34,7 @@ Figure simple_figure() {
 
 class FigureFile : public ::testing::Test {
  protected:
-  FigureFile() : directory_(fs::path(testing::TempDir()) / "netpocket_figure_file") {
-    fs::remove_all(directory_);
-    fs::create_directories(directory_);
-  }
-  ~FigureFile() override { fs::remove_all(directory_); }
+  FigureFile() : directory_(test_directory()) { fs::create_directories(directory_); }
 
   std::string read(const std::string& name) const {
     std::ifstream file(directory_ / name, std::ios::binary);
