@@ -45,6 +45,15 @@ bool is_near(const PlacedShape& body, const AlignedBox3d& element, double margin
   return !(nearest_surface_point(body.shape, centre).distance > reach);  // a non-finite distance counts as near
 }
 
+// Bounds on how far any point has moved from where it was at `before`.
+double displacement_of(const AlignedBox3d& before, const AlignedBox3d& now) {
+  return (now.min() - before.min()).cwiseAbs().cwiseMax((now.max() - before.max()).cwiseAbs()).norm();
+}
+double displacement_of(const PlacedShape& before, const PlacedShape& now) {
+  const double turn = (now.rotation - before.rotation).norm();  // Frobenius: not below the spectral norm
+  return (now.position - before.position).norm() + turn * bounding_radius(now.shape);
+}
+
 struct BodyQuery {
   const PlacedShape& body;
   std::span<const AlignedBox3d> elements;
@@ -108,6 +117,25 @@ bool BroadPhase::advance(double distance) {
   return !(travelled_ <= 0.5 * margin_);
 }
 
+double BroadPhase::displacement(std::span<const AlignedBox3d> elements, std::span<const PlacedShape> bodies) const {
+  double largest = 0;
+  for (std::size_t i = 0; i < elements.size(); ++i)
+    largest = std::max(largest, displacement_of(built_elements_[i], elements[i]));
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    largest = std::max(largest, displacement_of(built_bodies_[i], bodies[i]));
+  return largest;
+}
+
+bool BroadPhase::update(std::span<const AlignedBox3d> elements, std::span<const PlacedShape> bodies) {
+  if (elements.size() == built_elements_.size() && bodies.size() == built_bodies_.size() && rebuild_count_ > 0) {
+    travelled_ = displacement(elements, bodies);
+    // Half of what is allowed: lists kept with less in hand would ask for the next update too soon.
+    if (travelled_ <= 0.25 * margin_) return false;
+  }
+  rebuild(elements, bodies);
+  return true;
+}
+
 void BroadPhase::rebuild(std::span<const AlignedBox3d> elements, std::span<const PlacedShape> bodies) {
   if (elements.size() != tree_->elements.size())
     throw std::invalid_argument("the broad phase was given boxes for another number of elements");
@@ -124,6 +152,8 @@ void BroadPhase::rebuild(std::span<const AlignedBox3d> elements, std::span<const
     tree_->manager.collide(&box, &query, &collect_candidate);
     std::sort(candidates_[i].begin(), candidates_[i].end());
   }
+  built_elements_.assign(elements.begin(), elements.end());
+  built_bodies_.assign(bodies.begin(), bodies.end());
   travelled_ = 0;
   pairs_current_ = false;
   ++rebuild_count_;

@@ -5,7 +5,7 @@
 // has moved by half of it; only then are they built again. They depend on the boxes alone, in ascending order, never on
 // the tree's history.
 //
-//   if (broad_phase.advance(largest_speed * dt)) broad_phase.rebuild(element_boxes, bodies);
+//   if (broad_phase.advance(largest_speed * dt)) broad_phase.update(element_boxes, bodies);
 //   for (int element : broad_phase.candidates(body)) ...
 //
 // World frame, m. Thread contract: one thread at a time.
@@ -36,9 +36,14 @@ class BroadPhase {
   BroadPhase& operator=(BroadPhase&&) noexcept;
 
   // Notes that since the previous call no point of an element or of a body's surface has moved by more than `distance`.
-  // True when the lists are no longer complete and must be rebuilt before they are used: at first, and each time the
+  // True when the lists may no longer be complete and must be updated before they are used: at first, and each time the
   // distances add up to more than half the margin.
   bool advance(double distance);
+
+  // Takes what has really moved since the lists were built, which is less than the sum of the distances when cords
+  // vibrate: keeps the lists if it is no more than a quarter of the margin, else rebuilds. True when it has rebuilt.
+  // Arguments and errors are those of rebuild.
+  bool update(std::span<const Eigen::AlignedBox3d> elements, std::span<const PlacedShape> bodies);
 
   // Builds the lists anew: one box per element that holds the whole cord, its radius included. Throws
   // std::invalid_argument when the number of boxes is not element_count.
@@ -57,11 +62,15 @@ class BroadPhase {
   int rebuild_count() const { return rebuild_count_; }
 
  private:
+  double displacement(std::span<const Eigen::AlignedBox3d> elements, std::span<const PlacedShape> bodies) const;
+
   struct Tree;
   std::unique_ptr<Tree> tree_;
   double margin_;
   double travelled_;  // m, bound on any motion since the last rebuild
   int rebuild_count_ = 0;
+  std::vector<Eigen::AlignedBox3d> built_elements_;  // of the last rebuild
+  std::vector<PlacedShape> built_bodies_;
   std::vector<std::vector<int>> candidates_;
   std::vector<std::pair<int, int>> pairs_;
   bool pairs_current_ = false;

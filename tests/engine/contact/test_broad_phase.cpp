@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -126,7 +127,7 @@ TEST(BroadPhase, NothingThatTouchesIsMissedBetweenRebuilds) {
   BroadPhase broad_phase(200, margin);
   int touching = 0;
   for (int i = 0; i < 500; ++i) {
-    if (broad_phase.advance(i == 0 ? 0 : step)) broad_phase.rebuild(room.boxes(), room.bodies());
+    if (broad_phase.advance(i == 0 ? 0 : step)) broad_phase.update(room.boxes(), room.bodies());
     for (std::size_t body = 0; body < room.bodies().size(); ++body) {
       const std::span<const int> found = broad_phase.candidates(static_cast<int>(body));
       for (std::size_t element = 0; element < room.segments().size(); ++element) {
@@ -164,6 +165,44 @@ TEST(BroadPhase, SlowMotionRebuildsRarely) {
   EXPECT_EQ(broad_phase.rebuild_count(), rebuilds);
 }
 
+// A vibrating cord covers a long way without going anywhere.
+TEST(BroadPhase, VibrationDoesNotRebuild) {
+  Room room(100);
+  BroadPhase broad_phase(100, 0.05);
+  int updates = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const double step = i % 2 ? 4e-3 : -4e-3;
+    room.move(step);
+    if (!broad_phase.advance(std::abs(step))) continue;
+    ++updates;
+    EXPECT_EQ(broad_phase.update(room.boxes(), room.bodies()), updates == 1);
+  }
+  EXPECT_GT(updates, 100);
+  EXPECT_EQ(broad_phase.rebuild_count(), 1);
+}
+
+TEST(BroadPhase, UpdateSeesElementsAndBodiesMoveAndTurn) {
+  const double margin = 0.1;
+  Room room(100);
+  BroadPhase broad_phase(100, margin);
+  EXPECT_TRUE(broad_phase.update(room.boxes(), room.bodies()));
+  EXPECT_FALSE(broad_phase.update(room.boxes(), room.bodies()));
+
+  std::vector<AlignedBox3d> boxes = room.boxes();
+  boxes[42].max().z() += 0.2 * margin;
+  EXPECT_FALSE(broad_phase.update(boxes, room.bodies()));
+  boxes[42].max().z() += 0.1 * margin;
+  EXPECT_TRUE(broad_phase.update(boxes, room.bodies()));
+
+  std::vector<PlacedShape> bodies = room.bodies();
+  bodies[1].position.y() -= 0.3 * margin;
+  EXPECT_TRUE(broad_phase.update(boxes, bodies));
+  const double angle = 0.3 * margin / bounding_radius(bodies[2].shape);
+  bodies[2].rotation = bodies[2].rotation * Eigen::AngleAxisd(angle, Vector3d::UnitX());
+  EXPECT_TRUE(broad_phase.update(boxes, bodies));
+  EXPECT_EQ(broad_phase.rebuild_count(), 4);
+}
+
 TEST(BroadPhase, ListsDoNotDependOnTheHistory) {
   Room room(400);
   BroadPhase travelled(400, 0.1);
@@ -186,6 +225,7 @@ TEST(BroadPhase, RefusesWhatMakesNoSense) {
   EXPECT_TRUE(broad_phase.advance(0));
   const std::vector<AlignedBox3d> one(1, AlignedBox3d(Vector3d::Zero(), Vector3d::Ones()));
   EXPECT_THROW(broad_phase.rebuild(one, {}), std::invalid_argument);
+  EXPECT_THROW(broad_phase.update(one, {}), std::invalid_argument);
   EXPECT_TRUE(broad_phase.advance(std::numeric_limits<double>::quiet_NaN()));
 }
 
