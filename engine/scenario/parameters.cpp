@@ -196,9 +196,9 @@ constexpr std::array kParameters = {
     parameter<kClosing, &Closing::table>("closing.table", within(0, 1e5), "s, m", "[time after start, rope length] from open to closed, for the law table", "user's choice"),
     parameter<kClosing, &Closing::elements>("closing.elements", within(1, 64), "", "variable-length elements in each rope", kAssumption),
 
-    parameter<kTowing, &Towing::mode>("towing.mode", kNone, "", "none; a force, an acceleration of the pair or a velocity of the spacecraft is prescribed", kAssumption),
+    parameter<kTowing, &Towing::mode>("towing.mode", kNone, "", "none; force on the spacecraft; acceleration: force per mass of spacecraft, pocket and target; velocity of the spacecraft", kAssumption),
     parameter<kTowing, &Towing::start>("towing.start", within(0, 1e5), "s", "time at which towing starts", "paper, section 4.2"),
-    parameter<kTowing, &Towing::duration>("towing.duration", within(0, 1e5), "s", "length of the thrust or of the ramp", kAssumption),
+    parameter<kTowing, &Towing::duration>("towing.duration", within(1e-3, 1e5), "s", "length of the thrust or of the ramp", kAssumption),
     parameter<kTowing, &Towing::size>("towing.size", within(0, 1e5), "N, m/s^2 or m/s by mode", "size of the force, acceleration or velocity, towards -Y", kAssumption),
     parameter<kTowing, &Towing::offset>("towing.offset", within(-100, 100), "m", "distance of the line of thrust from the axis, along +X", kAssumption),
 

@@ -7,7 +7,7 @@ namespace netpocket {
 
 Eigen::Vector3d rod_point(const PocketParameters& pocket, int rod, const Eigen::Vector2d& radius_height) {
   const double angle = 2 * std::numbers::pi * rod / pocket.rod_count;
-  return {radius_height.x() * std::cos(angle), radius_height.y(), -radius_height.x() * std::sin(angle)};
+  return {radius_height.x() * std::cos(angle), radius_height.y(), radius_height.x() * std::sin(angle)};
 }
 
 double open_tip_distance(const Scenario& scenario) {

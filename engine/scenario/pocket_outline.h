@@ -9,8 +9,8 @@
 
 namespace netpocket {
 
-// A point of rod `rod` at distance r from the axis and height y (m): rod k stands at the angle 2 pi k/rod_count about
-// +Y, rod 0 in the direction +X and, with eight rods, rod 2 in the direction -Z. World frame, m.
+// A point of rod `rod` at distance r from the axis and height y (m), in the world frame: rod k stands in the direction
+// (cos(a), 0, sin(a)), a = 2 pi k/rod_count.
 Eigen::Vector3d rod_point(const PocketParameters& pocket, int rod, const Eigen::Vector2d& radius_height);
 
 // Distance between adjacent rod tips of the open pocket, m: the rope length at which closing starts.

@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <random>
 
 #include "engine/scenario/read_scenario.h"
+#include "engine/scenario/write_scenario.h"
 
 namespace netpocket {
 namespace {
@@ -79,8 +81,7 @@ TEST(ReadScenario, RangeErrorsSayWhatIsAllowed) {
             "a.toml:1: target.inertia: each number must be >= 1e-6 and <= 10e9 kg m^2, not 0");
   EXPECT_EQ(problems("net.density = nan"), "a.toml:1: net.density: must be finite, not nan");
   EXPECT_EQ(problems("target.spin = [0, -inf, 0]"), "a.toml:1: target.spin: must be finite, not -inf");
-  EXPECT_EQ(problems("pocket.rod_count = 1000000000"),
-            "a.toml:1: pocket.rod_count: must be >= 3 and <= 64, not 1e9");
+  EXPECT_EQ(problems("pocket.rod_count = 1000000000"), "a.toml:1: pocket.rod_count: must be >= 3 and <= 64, not 1e9");
   EXPECT_EQ(problems("solver.seed = 9223372036854775807").substr(0, 39), "a.toml:1: solver.seed: must be >= 0 and");
   EXPECT_EQ(problems("name = \"\""), "a.toml:1: name: has 0 characters, allowed are 1 to 100 characters");
 }
@@ -144,6 +145,39 @@ TEST(ReadScenario, DeepButLegalNestingIsSurvived) {
   for (int i = 0; i < 250; ++i) text += "{a.b.c.d.e.f.g.h = ";
   text += "1" + std::string(250, '}');
   EXPECT_FALSE(read_scenario_text(text, "a.toml").ok());
+}
+
+// Either a scenario or a reason, whatever happened to the file.
+TEST(ReadScenario, DamagedFilesAreReadOrRefused) {
+  const std::string whole = write_scenario_text({});
+  std::mt19937 random(7);
+  int refused = 0;
+  for (int i = 0; i < 3000; ++i) {
+    std::string text = whole;
+    for (int change = 0; change < 4; ++change) {
+      const std::size_t at = random() % text.size();
+      switch (random() % 3) {
+        case 0:
+          text[at] = static_cast<char>(random());
+          break;
+        case 1:
+          text.erase(at, random() % 40);
+          break;
+        case 2:
+          text.insert(at, text.substr(random() % text.size(), random() % 40));
+          break;
+      }
+    }
+    const ScenarioResult result = read_scenario_text(text, "a.toml");
+    if (!result.ok()) {
+      ++refused;
+    } else {
+      EXPECT_TRUE(read_scenario_text(write_scenario_text(result.scenario), "again").ok());
+    }
+  }
+  // Most changes hit comments, which hold most of the text.
+  EXPECT_GT(refused, 500);
+  EXPECT_LT(refused, 3000);
 }
 
 TEST(ReadScenario, ControlCharactersDoNotReachTheTerminal) {
