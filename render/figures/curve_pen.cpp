@@ -18,10 +18,7 @@ void stroke_line(cairo_t* context, const Curve& curve, const Polyline& line) {
 void draw_marker(cairo_t* context, const Curve& curve, const Point& centre) {
   const double radius = 1.2 + curve.width;
   cairo_new_path(context);
-  if (curve.marker == Marker::circle) cairo_arc(context, centre.x, centre.y, radius, 0, 6.283185307179586);
-  if (curve.marker == Marker::square) {
-    cairo_rectangle(context, centre.x - radius, centre.y - radius, 2 * radius, 2 * radius);
-  }
+  cairo_arc(context, centre.x, centre.y, radius, 0, 6.283185307179586);
   cairo_set_source_rgb(context, 1, 1, 1);
   cairo_fill_preserve(context);
   cairo_set_source_rgb(context, curve.colour.red, curve.colour.green, curve.colour.blue);

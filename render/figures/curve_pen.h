@@ -11,6 +11,7 @@ namespace netpocket {
 // A line of one point is drawn as a dot.
 void stroke_line(cairo_t* context, const Curve& curve, const Polyline& line);
 
+// A small ring.
 void draw_marker(cairo_t* context, const Curve& curve, const Point& centre);
 
 }  // namespace netpocket

@@ -7,7 +7,6 @@
 
 #include <cairo.h>
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +14,7 @@
 
 namespace netpocket {
 
-enum class Marker { none, circle, square };
+enum class Marker { none, circle };
 
 // A line through (x[i], y[i]) in data units. A value that is not finite leaves a gap.
 struct Curve {
@@ -36,21 +35,19 @@ struct PhaseBand {
   FigureColour colour;
 };
 
-// One axis. Without limits they follow from the curves: tight in x, with a margin in y.
+// One axis. Its limits follow from the curves: tight in x, with a margin in y.
 struct PanelAxis {
-  std::string title;  // quantity and unit, e.g. "Time (s)"
-  std::optional<double> low;
-  std::optional<double> high;
+  std::string title;        // quantity and unit, e.g. "Time (s)"
   double minimum_span = 0;  // shows smaller variations, such as round-off, as the flat line they are
 };
 
+// Says "no data" when no point of its curves is finite.
 struct Panel {
   std::string title;
   PanelAxis x;
   PanelAxis y;
   std::vector<Curve> curves;      // drawn in this order
   std::vector<PhaseBand> phases;  // from left to right
-  std::string note = "no data";   // shown instead of curves when no point is finite
   int y_group = -1;               // panels of one group (>= 0) share their y limits
 };
 

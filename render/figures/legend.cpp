@@ -96,11 +96,11 @@ LegendPlace place_legend(cairo_t* context, const std::vector<Curve>& curves, con
                          const Box& free) {
   const Legend legend(context, curves);
   LegendPlace best;
-  for (std::size_t columns = 1; columns <= legend.size(); ++columns) {
+  for (std::size_t columns = legend.size(); columns > 0; --columns) {  // one column wins a tie
     const double width = legend.width(columns);
     const double height = legend.height(columns);
     const bool fits = width <= free.width && height <= free.height;
-    if (!fits && !best.empty()) continue;
+    if (!fits && (columns > 1 || !best.empty())) continue;
     for (int across = 0; across < kPlacesAcross; ++across) {
       for (int down = 0; down < kPlacesDown; ++down) {
         LegendPlace place;
@@ -108,7 +108,7 @@ LegendPlace place_legend(cairo_t* context, const std::vector<Curve>& curves, con
         place.box = {free.x + (free.width - width) * across / (kPlacesAcross - 1),
                      free.y + (free.height - height) * down / (kPlacesDown - 1), width, height};
         place.hidden = hidden_length(lines, place.box);
-        if (best.empty() || cost(place, free) < cost(best, free)) best = place;
+        if (best.empty() || cost(place, free) <= cost(best, free)) best = place;
       }
     }
   }

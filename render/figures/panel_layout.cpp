@@ -54,11 +54,7 @@ std::vector<PanelRange> data_ranges(const Figure& figure) {
 }
 
 AxisLimits axis_limits(const PanelAxis& axis, const DataRange& range, double margin) {
-  AxisLimits limits = range.empty() ? AxisLimits{} : padded_limits(range.low, range.high, margin, axis.minimum_span);
-  if (axis.low) limits.low = *axis.low;
-  if (axis.high) limits.high = *axis.high;
-  if (!(limits.low < limits.high)) limits.high = limits.low + 1;
-  return limits;
+  return range.empty() ? AxisLimits{} : padded_limits(range.low, range.high, margin, axis.minimum_span);
 }
 
 // Lifts the upper limit so that the data stay out of the top of the frame.

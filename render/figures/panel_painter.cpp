@@ -94,7 +94,7 @@ class PanelPainter {
       const Box box = phase_box(phase);
       TextStyle text = style::kPhaseLabel;
       text.colour = phase.colour;
-      if (text_width(context_, phase.label, text) + 2 > box.width) continue;
+      if (text_width(context_, phase.label, text) + 2 * style::kMajorTick > box.width) continue;
       const double baseline = frame_.y + style::kPhaseStrip - 1.2;
       draw_text(context_, phase.label, text, box.x + box.width / 2, baseline, TextAlign::centre);
     }
@@ -167,7 +167,7 @@ class PanelPainter {
   }
 
   void paint_note() {
-    draw_text(context_, panel_.note, style::kNote, frame_.x + frame_.width / 2,
+    draw_text(context_, "no data", style::kNote, frame_.x + frame_.width / 2,
               frame_.y + (frame_.height + kCapHeight * style::kNote.size) / 2, TextAlign::centre);
   }
 

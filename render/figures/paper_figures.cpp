@@ -18,9 +18,9 @@ using Runs = std::vector<RunSeries>;
 constexpr double kRowHeight = 62;              // mm
 constexpr double kTitleHeight = 8;             // mm
 constexpr std::size_t kPanelsAcross = 3;       // side by side, more runs start another row
-constexpr double kSmallestMotion = 1e-9;       // m, less is round-off
+constexpr double kSmallestMotion = 1e-6;       // m, less is drawn flat
 constexpr double kSmallestAxialMotion = 1e-3;  // m, keeps a body at rest on a readable scale
-constexpr double kSmallestForce = 1e-6;        // N, less is round-off
+constexpr double kSmallestForce = 1e-3;        // N, less is drawn flat
 constexpr double kThinLine = 0.7;              // points, for curves full of spikes
 constexpr const char* kTimeTitle = "Time *t* (s)";
 
@@ -41,6 +41,7 @@ std::vector<PhaseBand> phases(double closing_end, double towing_start, double en
   std::vector<PhaseBand> bands;
   const bool knows_closing = std::isfinite(closing_end);
   const bool tows = std::isfinite(towing_start) && towing_start < end;
+  if (tows) closing_end = std::min(closing_end, towing_start);
   if (knows_closing) bands.push_back({0, closing_end, "closing", kClosingBlue});
   if (knows_closing && closing_end < end) {
     const double hold_end = tows ? towing_start : end;
@@ -229,8 +230,6 @@ void add_overlay_row(std::vector<Panel>& panels, const Runs& runs, const BodyCha
   lateral.y.minimum_span = kSmallestMotion;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     lateral.curves.push_back(channel_curve(runs[i], body.x, run_colour(i), "*X* " + run_name(runs[i])));
-  }
-  for (std::size_t i = 0; i < runs.size(); ++i) {
     lateral.curves.push_back(channel_curve(runs[i], body.z, run_colour(i), "*Z* " + run_name(runs[i])));
     lateral.curves.back().dash = {3, 1.5};
   }
@@ -281,7 +280,9 @@ std::string error_title(const RunSeries& run) {
   const double input = largest_size(run.channel(Channel::energy_input));
   if (input <= 0) return "error";
   const double percent = 100 * largest_size(run.channel(Channel::energy_error)) / input;
-  return fmt::format("error, at most {:.2g} % of the input", percent);
+  if (percent < 0.001) return "error, below 0.001 % of the input";
+  const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(percent))), 0, 4);
+  return fmt::format("error, at most {} % of the input", number_text(percent, decimals));
 }
 
 void add_energy_row(std::vector<Panel>& panels, const RunSeries& run, const std::string& name) {

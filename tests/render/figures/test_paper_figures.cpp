@@ -107,6 +107,28 @@ TEST_F(PaperFigures, ColourThePhasesAsThePaperDoes) {
   EXPECT_EQ(panel.phases[1].end, 10);
 }
 
+TEST_F(PaperFigures, EndTheClosingBandWhereTowingStartsEarly) {
+  RunSeries run = synthetic_run("early", 10);
+  run.towing_start = 6;
+  const std::vector<PhaseBand> phases = make_figure("figure05_force", {run}).panels[0].phases;
+  ASSERT_EQ(phases.size(), 2u);
+  EXPECT_EQ(phases[0].end, 6);
+  EXPECT_EQ(phases[1].begin, 6);
+}
+
+TEST_F(PaperFigures, StateTheEnergyErrorInPercent) {
+  RunSeries run = synthetic_run("case1", 10);
+  std::fill(run.channel(Channel::energy_input).begin(), run.channel(Channel::energy_input).end(), 50);
+  const auto title = [&](double error) {
+    std::fill(run.channel(Channel::energy_error).begin(), run.channel(Channel::energy_error).end(), error);
+    return make_figure("energy", {run}).panels[1].title;
+  };
+  EXPECT_EQ(title(-0.17), "Error, at most 0.34 % of the input");
+  EXPECT_EQ(title(0.00613), "Error, at most 0.012 % of the input");
+  EXPECT_EQ(title(75), "Error, at most 150 % of the input");
+  EXPECT_EQ(title(1e-9), "Error, below 0.001 % of the input");
+}
+
 TEST_F(PaperFigures, LeaveOutPhasesThatAreNotKnown) {
   RunSeries run = synthetic_run("free", 10);
   run.closing_end = std::numeric_limits<double>::quiet_NaN();
