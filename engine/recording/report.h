@@ -1,0 +1,23 @@
+#pragma once
+// Summary and findings as text for people and as JSON for programs.
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "engine/recording/recording.h"
+#include "engine/recording/summary.h"
+
+namespace netpocket {
+
+// Keys: scenario, version, commit, reason, message, simulated_seconds, wall_seconds, cpu_seconds, elements,
+// coordinates, steps, time_step, evaluation, frames, captured, first_contact_time (null without contact), peak_force
+// {x, y, z, time_y}, impulse {x, y, z}, energy_error (fraction of the energy put in), averaging_window. SI units.
+nlohmann::ordered_json summary_json(const Recording& recording);
+std::string summary_text(const Recording& recording);
+
+// {"findings": [{"id", "text", "rule", "cases": [{"name", "value", "holds"}]}]}
+nlohmann::ordered_json findings_json(const std::vector<Finding>& findings);
+std::string findings_text(const std::vector<Finding>& findings);
+
+}  // namespace netpocket

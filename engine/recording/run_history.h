@@ -1,0 +1,86 @@
+#pragma once
+// What the channels of a recorded run say about phases, forces and motion. Times in s, forces in N, lengths in m.
+// A recorded force is the mean over the output interval that ends at its frame.
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/recording/recording.h"
+
+namespace netpocket {
+
+enum class Body { target, spacecraft };
+
+// Frames [first, last).
+struct FrameRange {
+  std::size_t first = 0;
+  std::size_t last = 0;
+  bool empty() const { return first >= last; }
+};
+
+struct Peak {
+  double value = 0;  // with its sign
+  double time = 0;
+};
+
+// Consecutive contact forces of one sign.
+struct ContactEpisode {
+  double impulse = 0;  // N s
+  double start = 0;
+};
+
+class RunHistory {
+ public:
+  // The recording must outlive the history.
+  explicit RunHistory(const Recording& recording) : recording_(&recording) {}
+
+  const std::string& name() const { return recording_->origin().scenario_name; }
+  double closing_end() const { return recording_->origin().closing_end; }
+  double towing_start() const { return recording_->origin().towing_start; }
+  double end() const { return times().empty() ? 0 : times().back(); }
+  const std::vector<double>& times() const { return recording_->times(); }
+  const std::vector<double>& channel(Channel c) const { return recording_->channel(c); }
+
+  // Frames with from < t <= to.
+  FrameRange frames(double from, double to) const;
+  // Frames with from <= t.
+  FrameRange frames_from(double from) const;
+  FrameRange all() const { return {0, times().size()}; }
+  FrameRange until_closed() const { return frames(-1e300, closing_end()); }
+  FrameRange after_closed() const { return frames(closing_end(), 1e300); }
+  FrameRange towing() const { return frames(towing_start(), 1e300); }
+
+  // Median time between frames: the window over which recorded forces are means.
+  double averaging_window() const;
+  Eigen::Vector3d force(std::size_t frame) const;
+  Peak peak(Channel c, FrameRange range) const;
+  // Largest of |F_x| and |F_z|.
+  double lateral_peak(FrameRange range) const;
+  // Largest |F|.
+  Peak force_peak() const;
+  Eigen::Vector3d impulse() const;
+  bool in_contact(std::size_t frame) const;
+  std::optional<double> first_contact() const;
+
+  // Episodes of F_y. Those whose impulse is below `smallest` of the largest are merged into their neighbours.
+  std::vector<ContactEpisode> episodes(FrameRange range, double smallest) const;
+
+  Eigen::Vector3d position(Body body, std::size_t frame) const;
+  // Largest |position - position at `origin`|, by component.
+  Eigen::Vector3d excursion(Body body, FrameRange range, std::size_t origin) const;
+
+  // Why the run does not count as a capture; empty when it does.
+  std::string why_not_captured() const;
+
+ private:
+  double interval(std::size_t frame) const;
+
+  const Recording* recording_;
+};
+
+// The rule of why_not_captured(), in words.
+extern const char* const kCaptureRule;
+
+}  // namespace netpocket
