@@ -70,9 +70,9 @@ double distance_from_corner(const Box& box, const Box& free) {
   return std::min(right, left + 1) + std::min(top, bottom + 2);
 }
 
-// A hidden stretch of curve weighs more than any way to a corner.
+// A hidden stretch of curve weighs more than any way to a corner; one column reads best.
 double cost(const LegendPlace& place, const Box& free) {
-  return 1000 * place.hidden + distance_from_corner(place.box, free);
+  return 1000 * place.hidden + distance_from_corner(place.box, free) + static_cast<double>(place.columns);
 }
 
 void draw_key(cairo_t* context, const Curve& curve, double x, double y) {
@@ -96,7 +96,7 @@ LegendPlace place_legend(cairo_t* context, const std::vector<Curve>& curves, con
                          const Box& free) {
   const Legend legend(context, curves);
   LegendPlace best;
-  for (std::size_t columns = legend.size(); columns > 0; --columns) {  // one column wins a tie
+  for (std::size_t columns = legend.size(); columns > 0; --columns) {
     const double width = legend.width(columns);
     const double height = legend.height(columns);
     const bool fits = width <= free.width && height <= free.height;
@@ -108,7 +108,7 @@ LegendPlace place_legend(cairo_t* context, const std::vector<Curve>& curves, con
         place.box = {free.x + (free.width - width) * across / (kPlacesAcross - 1),
                      free.y + (free.height - height) * down / (kPlacesDown - 1), width, height};
         place.hidden = hidden_length(lines, place.box);
-        if (best.empty() || cost(place, free) <= cost(best, free)) best = place;
+        if (best.empty() || cost(place, free) < cost(best, free)) best = place;
       }
     }
   }
