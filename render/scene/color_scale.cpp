@@ -1,0 +1,102 @@
+#include "render/scene/color_scale.h"
+
+#include <cmath>
+
+namespace netpocket {
+namespace {
+
+// On white, the bright end of a map would not be seen as a thin line; on black, neither would the dark end.
+ColorMap default_map(Background background) {
+  return background == Background::white ? ColorMap::plasma : ColorMap::viridis;
+}
+ValueRange visible_part(Background background) {
+  return background == Background::white ? ValueRange{0, 0.82} : ValueRange{0.18, 1};
+}
+
+}  // namespace
+
+ColorScale::ColorScale(const Structure& structure, const SceneOptions& options)
+    : structure_(structure),
+      color_by_(options.color_by),
+      map_(options.color_map.value_or(default_map(options.background))),
+      map_part_(visible_part(options.background)),
+      fixed_range_(options.color_range.has_value()),
+      range_(options.color_range.value_or(ValueRange{0, 0})) {}
+
+// Rods are compressed while cords are taut: on one scale neither would show anything.
+bool ColorScale::colors(ElementKind kind) const {
+  return color_by_ == ColorBy::speed || (active() && kind != ElementKind::rod);
+}
+
+double ColorScale::value(const Snapshot& snapshot, std::size_t element, double fraction) const {
+  const auto index = static_cast<Eigen::Index>(element);
+  switch (color_by_) {
+    case ColorBy::tension:
+      return snapshot.tension[index];
+    case ColorBy::strain:
+      return snapshot.strain[index];
+    case ColorBy::speed: {
+      const auto& nodes = structure_.elements[element].node;
+      return (1 - fraction) * snapshot.velocities.col(nodes[0]).norm() +
+             fraction * snapshot.velocities.col(nodes[1]).norm();
+    }
+    case ColorBy::none:
+      break;
+  }
+  return 0;
+}
+
+Color ColorScale::color(double value) const {
+  const double width = range_.high - range_.low;
+  return color_at_fraction(width > 0 ? (value - range_.low) / width : 0);
+}
+
+Color ColorScale::color_at_fraction(double fraction) const {
+  const double clamped = fraction > 0 ? std::min(fraction, 1.0) : 0;
+  return map_color(map_, map_part_.low + clamped * (map_part_.high - map_part_.low));
+}
+
+void ColorScale::widen(const Snapshot& snapshot) {
+  if (fixed_range_ || !active()) return;
+  const double largest = largest_value(structure_, snapshot, color_by_);
+  if (largest > range_.high || range_.high == 0) range_.high = round_up(largest);
+}
+
+std::string ColorScale::label() const {
+  switch (color_by_) {
+    case ColorBy::tension:
+      return "tension, N";
+    case ColorBy::strain:
+      return "strain, \u00b5m/m";
+    case ColorBy::speed:
+      return "speed, m/s";
+    case ColorBy::none:
+      break;
+  }
+  return {};
+}
+
+double ColorScale::display_unit() const { return color_by_ == ColorBy::strain ? 1e-6 : 1; }
+
+double largest_value(const Structure& structure, const Snapshot& snapshot, ColorBy color_by) {
+  SceneOptions options;
+  options.color_by = color_by;
+  const ColorScale scale(structure, options);
+  double largest = 0;
+  for (std::size_t i = 0; i < structure.elements.size(); ++i) {
+    if (!scale.colors(structure.elements[i].kind)) continue;
+    largest = std::max({largest, scale.value(snapshot, i, 0), scale.value(snapshot, i, 1)});
+  }
+  return largest;
+}
+
+double round_up(double value) {
+  if (!(value > 0) || !std::isfinite(value)) return 1;
+  const double decade = std::pow(10, std::floor(std::log10(value)));
+  for (const double step : {1.0, 2.0, 2.5, 5.0}) {
+    if (value <= step * decade * (1 + 1e-9)) return step * decade;
+  }
+  return 10 * decade;
+}
+
+}  // namespace netpocket

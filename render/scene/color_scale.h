@@ -1,0 +1,45 @@
+#pragma once
+// From a value on an element to a colour: which quantity, its range, its colour map.
+
+#include <string>
+
+#include "engine/recording/snapshot.h"
+#include "engine/recording/structure.h"
+#include "render/scene/scene_options.h"
+
+namespace netpocket {
+
+class ColorScale {
+ public:
+  ColorScale(const Structure& structure, const SceneOptions& options);
+
+  bool active() const { return color_by_ != ColorBy::none; }
+  bool colors(ElementKind kind) const;
+
+  // The value at `fraction` of the way along an element: tension N, Green strain, speed m/s.
+  double value(const Snapshot& snapshot, std::size_t element, double fraction) const;
+  Color color(double value) const;
+  Color color_at_fraction(double fraction) const;
+
+  // Without a fixed range: makes the range hold the snapshot's values, up to a round number.
+  void widen(const Snapshot& snapshot);
+  ValueRange range() const { return range_; }
+
+  std::string label() const;    // quantity and unit, e.g. "tension, N"
+  double display_unit() const;  // one unit of the label in SI
+
+ private:
+  const Structure& structure_;
+  ColorBy color_by_;
+  ColorMap map_;
+  ValueRange map_part_;  // of the colour map, so that no colour vanishes on the background
+  bool fixed_range_;
+  ValueRange range_;
+};
+
+// Largest value of a quantity over the coloured elements of a snapshot, in SI units.
+double largest_value(const Structure& structure, const Snapshot& snapshot, ColorBy color_by);
+// The next 1, 2, 2.5 or 5 times a power of ten; 1 for 0.
+double round_up(double value);
+
+}  // namespace netpocket

@@ -1,0 +1,54 @@
+#pragma once
+// A pocket and its bodies in a VTK renderer, drawn from snapshots. Live runs, recordings and tests use this one scene.
+// Thread contract: the thread of the render window. Reads a snapshot only during update().
+
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+
+#include <memory>
+#include <vector>
+
+#include "engine/recording/snapshot.h"
+#include "engine/recording/structure.h"
+#include "render/scene/camera.h"
+#include "render/scene/color_scale.h"
+#include "render/scene/scene_actor.h"
+#include "render/scene/scene_options.h"
+
+namespace netpocket {
+
+class PocketScene {
+ public:
+  // Draws in `renderer`, or in one of its own. Other options mean another scene; the renderer and its camera may stay.
+  PocketScene(const Structure& structure, const SceneOptions& options, vtkSmartPointer<vtkRenderer> renderer = nullptr);
+  ~PocketScene();  // takes its props out of the renderer
+  PocketScene(const PocketScene&) = delete;
+  PocketScene& operator=(const PocketScene&) = delete;
+
+  vtkRenderer& renderer() const { return *renderer_; }
+  const SceneOptions& options() const { return options_; }
+  const Structure& structure() const { return structure_; }
+
+  // Shows a state; it must fit the structure. Changes points in place: no prop is made anew.
+  void update(const Snapshot& snapshot);
+
+  // The colours' range; grows with the snapshots unless the options fix it.
+  ValueRange color_range() const { return scale_.range(); }
+
+ private:
+  void add_actors();
+  void prepare_drawing();
+
+  Structure structure_;
+  SceneOptions options_;
+  ColorScale scale_;
+  vtkSmartPointer<vtkRenderer> renderer_;
+  std::vector<std::unique_ptr<SceneActor>> actors_;
+  unsigned long start_observer_ = 0;
+};
+
+// What must be in the picture of a snapshot: nodes and the outlines of the bodies; m, world. For frame_view; join those
+// of several snapshots to frame a run.
+Eigen::Matrix3Xd visible_points(const Structure& structure, const Snapshot& snapshot);
+
+}  // namespace netpocket

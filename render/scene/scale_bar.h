@@ -1,0 +1,23 @@
+#pragma once
+// A bar of a round length, true at the distance of the camera's focal point.
+
+#include "render/scene/overlay.h"
+#include "render/scene/scene_actor.h"
+#include "render/scene/scene_options.h"
+
+namespace netpocket {
+
+class ScaleBar final : public SceneActor {
+ public:
+  ScaleBar(const SceneOptions& options, const Color& color);
+
+  void adapt(const View& view) override;
+
+ private:
+  double annotation_scale_;
+  Color color_;
+  OverlayShapes bar_;
+  OverlayText label_;
+};
+
+}  // namespace netpocket

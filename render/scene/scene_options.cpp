@@ -1,0 +1,34 @@
+#include "render/scene/scene_options.h"
+
+#include <fmt/format.h>
+
+#include "render/render_error.h"
+
+namespace netpocket {
+
+ColorBy color_by_from_name(std::string_view name) {
+  if (name == "none") return ColorBy::none;
+  if (name == "tension") return ColorBy::tension;
+  if (name == "strain") return ColorBy::strain;
+  if (name == "speed") return ColorBy::speed;
+  throw RenderError(fmt::format("cannot colour by '{}': use none, tension, strain or speed", name));
+}
+
+Background background_from_name(std::string_view name) {
+  if (name == "white") return Background::white;
+  if (name == "space") return Background::space;
+  throw RenderError(fmt::format("unknown background '{}': use white or space", name));
+}
+
+PhaseTimes phase_times(const Scenario& scenario) {
+  PhaseTimes times;
+  times.closing_start = scenario.closing.start;
+  times.closing_end = scenario.closing.start + scenario.closing.duration;
+  if (scenario.closing.law == ClosingLaw::table && !scenario.closing.table.empty()) {
+    times.closing_end = scenario.closing.start + scenario.closing.table.back().x();
+  }
+  if (scenario.towing.mode != TowingMode::none) times.towing_start = scenario.towing.start;
+  return times;
+}
+
+}  // namespace netpocket

@@ -1,0 +1,51 @@
+#pragma once
+// What a picture of a pocket shows and how.
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "engine/scenario/scenario.h"
+#include "render/scene/color_map.h"
+
+namespace netpocket {
+
+enum class ColorBy { none, tension, strain, speed };
+enum class Background { white, space };
+
+// "none", "tension", "strain" or "speed"; "white" or "space". Throw RenderError for any other name.
+ColorBy color_by_from_name(std::string_view name);
+Background background_from_name(std::string_view name);
+
+struct ValueRange {
+  double low = 0;
+  double high = 1;
+};
+
+// When the parts of a capture happen, for the label next to the time; s.
+struct PhaseTimes {
+  double closing_start = 0;
+  double closing_end = 0;
+  double towing_start = std::numeric_limits<double>::infinity();
+};
+
+PhaseTimes phase_times(const Scenario& scenario);
+
+struct SceneOptions {
+  Background background = Background::white;
+  ColorBy color_by = ColorBy::none;
+  std::optional<ValueRange> color_range;  // N, 1 or m/s; absent: grows with what has been drawn
+  std::optional<ColorMap> color_map;      // absent: the one that reads best on the background
+  bool legend = true;                     // when something is coloured by a value
+  bool time_label = true;
+  std::optional<PhaseTimes> phases;  // absent: the time stands alone
+  bool scale_bar = true;
+  bool axes = true;
+  std::string title;
+  double line_scale = 1;        // of the widths of lines
+  double annotation_scale = 1;  // of labels, legend, scale bar and axes
+  bool fast_smoothing = false;  // FXAA, for windows; files are better smoothed by supersampling
+};
+
+}  // namespace netpocket
