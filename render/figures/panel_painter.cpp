@@ -94,7 +94,9 @@ class PanelPainter {
       const Box box = phase_box(phase);
       TextStyle text = style::kPhaseLabel;
       text.colour = phase.colour;
-      if (text_width(context_, phase.label, text) + 2 * style::kMajorTick > box.width) continue;
+      const bool meets_ticks = box.x <= frame_.x || box.right() >= frame_.right();
+      const double clearance = 1 + (meets_ticks ? style::kMajorTick : 0);
+      if (text_width(context_, phase.label, text) + 2 * clearance > box.width) continue;
       const double baseline = frame_.y + style::kPhaseStrip - 1.2;
       draw_text(context_, phase.label, text, box.x + box.width / 2, baseline, TextAlign::centre);
     }
