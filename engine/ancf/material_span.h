@@ -20,6 +20,7 @@ struct MaterialSpan {
   double start_acceleration = 0;  // m/s^2
   double end_acceleration = 0;    // m/s^2
 
+  bool operator==(const MaterialSpan&) const = default;
   double length_rate() const { return end_rate - start_rate; }
   double length_acceleration() const { return end_acceleration - start_acceleration; }
   double xi_rate(double xi) const;          // 1/s, at fixed material point

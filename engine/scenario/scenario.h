@@ -21,7 +21,7 @@ struct CordParameters {
   double density = 1430;          // kg/m^3
   double youngs_modulus = 12e9;   // Pa
   double poisson_ratio = 0.3;     //
-  double axial_damping = 1e-4;    // s, c of EA (eps + c epsdot)
+  double axial_damping = 1e-5;    // s, c of EA (eps + c epsdot)
   double bending_damping = 1e-2;  // s, c of EI (kappa + c kappadot)
   double compression = 1.0;       // fraction of EA that acts in compression
 };
@@ -42,8 +42,8 @@ struct RodParameters {
   double density = 164;            // kg/m^3
   double youngs_modulus = 0.75e9;  // Pa
   double poisson_ratio = 0.3;
-  double axial_damping = 1e-4;    // s
-  double bending_damping = 1e-3;  // s
+  double axial_damping = 1e-5;    // s
+  double bending_damping = 1e-5;  // s
   double hinge_stiffness = 48;    // N m/rad, of the kink
   double hinge_damping = 0.5;     // N m s/rad
   double tip_mass = 0.0;          // kg, retractor at each rod tip

@@ -1,0 +1,94 @@
+#include "engine/ancf/element_batch.h"
+
+#include <algorithm>
+
+#include "engine/ancf/element_kernel.h"
+#include "engine/ancf/instruction_set.h"
+
+namespace netpocket {
+namespace {
+
+element_kernel::Kernel choose_kernel() {
+  switch (instruction_set()) {
+    case InstructionSet::avx512:
+      return element_kernel::avx512::element_forces;
+    case InstructionSet::avx2:
+      return element_kernel::avx2::element_forces;
+    case InstructionSet::baseline:
+      break;
+  }
+  return element_kernel::baseline::element_forces;
+}
+
+// Fills base and rotation of a corner whose lanes read an aligned run of eight slots, rotated.
+void find_run(ElementBlock& block, int corner) {
+  const std::int32_t* slot = block.slot[corner];
+  const std::int32_t base = slot[0] / kBlockSize * kBlockSize;
+  const std::int32_t rotation = slot[0] - base;
+  bool regular = true;
+  for (int lane = 0; lane < kBlockSize; ++lane) {
+    regular = regular && slot[lane] == base + (lane + rotation) % kBlockSize;
+  }
+  block.base[corner] = regular ? base : -1;
+  block.rotation[corner] = regular ? rotation : 0;
+}
+
+void fill_lane(ElementBlock& block, int lane, const BatchElement& element) {
+  for (int corner = 0; corner < 4; ++corner) block.slot[corner][lane] = element.slot[corner];
+  const CableSection& section = element.section;
+  block.length[lane] = element.length;
+  block.inverse_length[lane] = 1.0 / element.length;
+  block.axial_stiffness[lane] = section.EA;
+  block.compression_stiffness[lane] = section.EA * section.compression;
+  block.axial_damping[lane] = section.EA * section.axial_damping;
+  block.bending_stiffness[lane] = section.EI / element.length;
+  block.bending_damping[lane] = section.bending_damping;
+  block.length_rate[lane] = 0;
+}
+
+// A lane without an element: reads valid coordinates and exerts no force.
+void fill_idle_lane(ElementBlock& block, int lane) {
+  BatchElement idle{};
+  std::copy_n(std::begin({block.slot[0][0], block.slot[1][0], block.slot[2][0], block.slot[3][0]}), 4, idle.slot);
+  idle.length = 1;
+  idle.section = CableSection{};
+  idle.section.EA = idle.section.EI = 0;
+  fill_lane(block, lane, idle);
+}
+
+}  // namespace
+
+ElementBatch::ElementBatch(std::span<const BatchElement> elements)
+    : element_count_(static_cast<int>(elements.size())),
+      blocks_((elements.size() + kBlockSize - 1) / kBlockSize),
+      variable_(blocks_.size(), 0) {
+  bending_rigidity_.reserve(elements.size());
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    fill_lane(blocks_[i / kBlockSize], static_cast<int>(i % kBlockSize), elements[i]);
+    if (elements[i].variable) variable_[i / kBlockSize] = 1;
+    bending_rigidity_.push_back(elements[i].section.EI);
+  }
+  for (std::size_t i = elements.size(); i < blocks_.size() * kBlockSize; ++i) {
+    fill_idle_lane(blocks_.back(), static_cast<int>(i % kBlockSize));
+  }
+  for (ElementBlock& block : blocks_) {
+    for (int corner = 0; corner < 4; ++corner) find_run(block, corner);
+  }
+}
+
+void ElementBatch::set_length(int element, double length, double rate) {
+  ElementBlock& block = blocks_[element / kBlockSize];
+  const int lane = element % kBlockSize;
+  block.length[lane] = length;
+  block.inverse_length[lane] = 1.0 / length;
+  block.bending_stiffness[lane] = bending_rigidity_[element] / length;
+  block.length_rate[lane] = rate / length;
+}
+
+double ElementBatch::forces(int first, int last, const SlotArrays& coordinates, const SlotArrays& velocities,
+                            double* forces) const {
+  static const element_kernel::Kernel kernel = choose_kernel();
+  return kernel(blocks_.data(), variable_.data(), first, last, coordinates, velocities, forces);
+}
+
+}  // namespace netpocket

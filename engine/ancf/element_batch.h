@@ -1,0 +1,75 @@
+#pragma once
+// Internal forces of many mean-strain cable elements at once: the fast form of mean_strain_element.h, tested against it
+// to round-off. Elements are computed in blocks of eight lanes; consecutive elements whose coordinates are consecutive
+// too (the eight sectors of a pocket) are read without gathering.
+//
+// A "slot" is one vector-valued coordinate: a node's position or a gradient. Coordinates are stored as three arrays.
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "engine/ancf/cable_section.h"
+
+namespace netpocket {
+
+inline constexpr int kBlockSize = 8;  // elements (and slots) computed at once
+
+// Where the coordinates of all slots stand: x, y and z apart, each 64-byte aligned and padded to whole blocks.
+struct SlotArrays {
+  double* x = nullptr;
+  double* y = nullptr;
+  double* z = nullptr;
+};
+
+struct BatchElement {
+  std::int32_t slot[4];  // r1, g1, r2, g2
+  double length;         // m
+  CableSection section;
+  bool variable = false;  // length changes during the run: see set_length
+};
+
+// The rows of eight come first: each starts at a 64-byte boundary.
+struct alignas(64) ElementBlock {
+  double length[kBlockSize];
+  double inverse_length[kBlockSize];
+  double axial_stiffness[kBlockSize];        // EA, N
+  double compression_stiffness[kBlockSize];  // EA in compression, N
+  double axial_damping[kBlockSize];          // EA c, N s
+  double bending_stiffness[kBlockSize];      // EI/L, N m
+  double bending_damping[kBlockSize];        // c, s
+  double length_rate[kBlockSize];            // Ldot/L, 1/s
+  std::int32_t slot[4][kBlockSize];
+  std::int32_t base[4];      // first slot of an aligned run of eight that the lanes read rotated, or -1
+  std::int32_t rotation[4];  // lane i reads base + (i + rotation) mod 8
+};
+
+// Forces of one element on its coordinates, by block: nine rows of eight lanes. The force on r2 is minus that on r1.
+inline constexpr int kForceRows = 9;  // r1 x y z, g1 x y z, g2 x y z
+enum class Corner : std::uint8_t { position1 = 0, gradient1 = 1, position2 = 2, gradient2 = 3 };
+
+class ElementBatch {
+ public:
+  explicit ElementBatch(std::span<const BatchElement> elements);
+
+  int block_count() const { return static_cast<int>(blocks_.size()); }
+  int element_count() const { return element_count_; }
+  const ElementBlock& block(int index) const { return blocks_[index]; }
+
+  // Material length of a variable element and its rate (m, m/s).
+  void set_length(int element, double length, double rate);
+
+  // Resisting forces Q (equation of motion: M qdd + Q = F) of blocks [first, last) at these coordinates and velocities.
+  // `forces` holds kForceRows * kBlockSize doubles for each block of the batch, 64-byte aligned. Returns the power that
+  // internal damping dissipates (W). Safe to call from several threads for different blocks.
+  double forces(int first, int last, const SlotArrays& coordinates, const SlotArrays& velocities, double* forces) const;
+
+ private:
+  int element_count_ = 0;
+  std::vector<ElementBlock> blocks_;
+  std::vector<std::uint8_t> variable_;    // by block
+  std::vector<double> bending_rigidity_;  // EI by element, N m^2
+};
+
+}  // namespace netpocket

@@ -1,0 +1,26 @@
+#pragma once
+// Sums of contributions from the eight sectors of a pocket whose rounding does not break the pocket's symmetry: each
+// sector adds its own in order, then opposite sectors meet first, ((0+4) + (2+6)) + ((1+5) + (3+7)), so that what is
+// equal and opposite cancels exactly.
+
+#include <array>
+
+namespace netpocket {
+
+template <typename T>
+class SectorSum {
+ public:
+  explicit SectorSum(const T& zero) { parts_.fill(zero); }
+
+  void add(int index, const T& value) { parts_[index % 8] += value; }
+  T total() const {
+    const T even = (parts_[0] + parts_[4]) + (parts_[2] + parts_[6]);
+    const T odd = (parts_[1] + parts_[5]) + (parts_[3] + parts_[7]);
+    return even + odd;
+  }
+
+ private:
+  std::array<T, 8> parts_;
+};
+
+}  // namespace netpocket

@@ -1,0 +1,89 @@
+#pragma once
+// Steps a Model in time: explicit symplectic integration (leapfrog) of cables, rigid bodies, hinges, variable-length
+// ropes and contact, with an account of all energy.
+//
+//   Model model;  ... nodes, cables, bodies ...
+//   CableSystem system(model, {});
+//   while (system.time() < 1) system.step(system.stable_step().step * 0.8);
+//
+// Thread contract: one thread at a time per object. With options.threads > 1 a step uses that many threads inside; the
+// result is the same to the last bit for any number.
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "engine/dynamics/dynamic_body.h"
+#include "engine/dynamics/stable_step.h"
+#include "engine/model/model.h"
+#include "engine/recording/snapshot.h"
+
+namespace netpocket {
+
+enum class ElementEvaluation {
+  mean_strain,  // one axial strain per element, constant bending matrix, lumped mass: fast
+  full          // 5 + 3 Gauss points, consistent mass: the reference
+};
+
+struct SystemOptions {
+  ElementEvaluation evaluation = ElementEvaluation::mean_strain;
+  int threads = 1;
+};
+
+// J, at one moment.
+struct EnergyAudit {
+  double kinetic = 0;
+  double strain = 0;
+  double input = 0;       // work of retractors, controls, gravity and loads since the start
+  double dissipated = 0;  // by damping, contact and friction since the start
+  double error = 0;       // kinetic + strain + dissipated - input, less its value at the start
+};
+
+class CableSystem {
+ public:
+  CableSystem(const Model& model, const SystemOptions& options = {});
+  ~CableSystem();
+  CableSystem(CableSystem&&) noexcept;
+  CableSystem& operator=(CableSystem&&) noexcept;
+
+  const Model& model() const;
+  double time() const;  // s
+  std::int64_t steps() const;
+
+  // Largest stable step at the present rope lengths, without a safety factor.
+  StableStep stable_step() const;
+  // One step of `dt` (s). Steps may differ in size; large jumps cost accuracy.
+  void step(double dt);
+  // What is wrong with the state, if it is no longer finite or flies apart: one sentence that names the cable or body.
+  std::optional<std::string> fault() const;
+
+  Eigen::Vector3d position(std::int32_t node) const;  // m
+  Eigen::Vector3d velocity(std::int32_t node) const;  // m/s, at the last half step
+  Eigen::Vector3d gradient(std::int32_t gradient) const;
+  BodyState body(std::int32_t body) const;
+  const RopeMotion& rope_motion(std::int32_t rope) const;
+
+  // Moves a node (m); for perturbed starts.
+  void displace(std::int32_t node, const Eigen::Vector3d& displacement);
+  // Imposed on a body from now on.
+  void control(std::int32_t body, const BodyControl& control);
+  // Replaces the law of winding of all ropes from now on.
+  void set_rope_motion(const std::function<RopeMotion(double)>& motion);
+  void set_friction(double coefficient);
+
+  // Impulse (N s) that contact has given to a body since the start.
+  const Eigen::Vector3d& contact_impulse(std::int32_t body) const;
+  // Deepest penetration (m) since the previous call.
+  double take_deepest_penetration();
+
+  // Energies now. Evaluates the forces once; does not change the motion.
+  EnergyAudit audit();
+  // Fills everything but the channels. Evaluates the forces once; does not change the motion.
+  void capture(Snapshot& snapshot);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace netpocket

@@ -1,0 +1,125 @@
+#include "engine/dynamics/channels.h"
+
+#include <algorithm>
+
+namespace netpocket {
+namespace {
+
+struct Mouth {
+  double side = 0;       // m, mean distance between adjacent tips
+  double side_rate = 0;  // m/s
+  double radius = 0;     // m, mean distance of the tips from their centre
+};
+
+Mouth measure_mouth(const Snapshot& snapshot, const std::vector<std::int32_t>& tips) {
+  Mouth mouth;
+  const auto count = tips.size();
+  if (count == 0) return mouth;
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  for (const std::int32_t tip : tips) centre += snapshot.positions.col(tip) / static_cast<double>(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::int32_t a = tips[i], b = tips[(i + 1) % count];
+    const Eigen::Vector3d span = snapshot.positions.col(b) - snapshot.positions.col(a);
+    const double length = span.norm();
+    mouth.side += length / static_cast<double>(count);
+    mouth.side_rate +=
+        span.dot(snapshot.velocities.col(b) - snapshot.velocities.col(a)) / length / static_cast<double>(count);
+    mouth.radius += (snapshot.positions.col(a) - centre).norm() / static_cast<double>(count);
+  }
+  return mouth;
+}
+
+// Radius of a polyline (radius, height) at a height, or a negative number above its end.
+double radius_at(const std::vector<Eigen::Vector2d>& outline, double height) {
+  for (std::size_t i = 0; i + 1 < outline.size(); ++i) {
+    const double below = outline[i].y(), above = outline[i + 1].y();
+    if (height < below || height > above || above == below) continue;
+    const double part = (height - below) / (above - below);
+    return (1 - part) * outline[i].x() + part * outline[i + 1].x();
+  }
+  return -1;
+}
+
+// Whether the target's centre lies between root and mouth and nearer to the pocket's axis than the rods are there.
+// Heights and radii in the spacecraft's axes; rods as polylines through their mean root, kink and tip.
+bool target_is_inside(const Snapshot& snapshot, const Structure& structure, std::int32_t spacecraft,
+                      std::int32_t target) {
+  const BodyState& craft = snapshot.bodies[spacecraft];
+  const auto to_craft = [&](const Eigen::Vector3d& point) -> Eigen::Vector3d {
+    return craft.attitude.conjugate() * (point - craft.position);
+  };
+  const auto mean = [&](const std::vector<std::int32_t>& nodes) -> Eigen::Vector2d {
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    for (const std::int32_t node : nodes) {
+      const Eigen::Vector3d p = to_craft(snapshot.positions.col(node));
+      sum += Eigen::Vector2d(std::hypot(p.x(), p.z()), p.y());
+    }
+    return sum / static_cast<double>(nodes.size());
+  };
+  if (structure.rod_tips.empty()) return false;
+  const Eigen::Vector3d centre = to_craft(snapshot.bodies[target].position);
+  const double radius =
+      radius_at({mean(structure.rod_roots), mean(structure.rod_kinks), mean(structure.rod_tips)}, centre.y());
+  return std::hypot(centre.x(), centre.z()) < radius;
+}
+
+}  // namespace
+
+void ChannelRecorder::fill(Snapshot& snapshot, const Structure& structure, CableSystem& system, double time_step) {
+  const auto set = [&](Channel c, double value) { snapshot.channel(c) = value; };
+  const auto set3 = [&](Channel x, Channel y, Channel z, const Eigen::Vector3d& value) {
+    set(x, value.x());
+    set(y, value.y());
+    set(z, value.z());
+  };
+  set(Channel::time, snapshot.time);
+  const Mouth mouth = measure_mouth(snapshot, structure.rod_tips);
+  set(Channel::closing_length, mouth.side);
+  set(Channel::closing_speed, mouth.side_rate);
+  set(Channel::mouth_radius, mouth.radius);
+  if (!system.model().ropes.empty()) {
+    set(Channel::commanded_length, system.rope_motion(0).length);
+    set(Channel::commanded_speed, system.rope_motion(0).rate);
+  }
+
+  const Eigen::Vector3d impulse = system.contact_impulse(target_);
+  const double interval = snapshot.time - last_time_;
+  if (interval > 0) {
+    set3(Channel::contact_fx, Channel::contact_fy, Channel::contact_fz, (impulse - last_impulse_) / interval);
+  }
+  last_time_ = snapshot.time;
+  last_impulse_ = impulse;
+  set(Channel::contact_count, static_cast<double>(std::ranges::count(snapshot.contacts, target_, &ContactPoint::body)));
+
+  const BodyState& target = snapshot.bodies[target_];
+  const BodyState& craft = snapshot.bodies[spacecraft_];
+  set3(Channel::target_x, Channel::target_y, Channel::target_z, target.position);
+  set3(Channel::target_vx, Channel::target_vy, Channel::target_vz, target.velocity);
+  set3(Channel::spacecraft_x, Channel::spacecraft_y, Channel::spacecraft_z, craft.position);
+  set3(Channel::spacecraft_vx, Channel::spacecraft_vy, Channel::spacecraft_vz, craft.velocity);
+  set(Channel::target_inside, target_is_inside(snapshot, structure, spacecraft_, target_) ? 1 : 0);
+
+  double net_tension = 0, rope_tension = 0;
+  std::size_t rope_elements = 0;
+  for (std::size_t i = 0; i < structure.elements.size(); ++i) {
+    const double tension = snapshot.tension[static_cast<Eigen::Index>(i)];
+    if (structure.elements[i].kind == ElementKind::net) net_tension = std::max(net_tension, tension);
+    if (structure.elements[i].kind == ElementKind::closing_rope) {
+      rope_tension += tension;
+      ++rope_elements;
+    }
+  }
+  set(Channel::rope_tension_max, net_tension);
+  set(Channel::closing_tension, rope_elements > 0 ? rope_tension / static_cast<double>(rope_elements) : 0);
+  set(Channel::penetration_max, system.take_deepest_penetration());
+
+  const EnergyAudit energy = system.audit();
+  set(Channel::energy_kinetic, energy.kinetic);
+  set(Channel::energy_strain, energy.strain);
+  set(Channel::energy_input, energy.input);
+  set(Channel::energy_dissipated, energy.dissipated);
+  set(Channel::energy_error, energy.error);
+  set(Channel::time_step, time_step);
+}
+
+}  // namespace netpocket

@@ -1,0 +1,253 @@
+#include "engine/dynamics/contact_solver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/ancf/shape_functions.h"
+#include "engine/bodies/sector_sum.h"
+#include "engine/bodies/symmetric_algebra.h"
+
+namespace netpocket {
+namespace {
+
+// Steps between two surveys of which elements are near a body.
+constexpr int kSurveyInterval = 16;
+// Clearance (m) below which an element counts as near, besides what it may move until the next survey.
+constexpr double kNearMargin = 0.02;
+// Inflation (m) of the boxes in the broad phase.
+constexpr double kBroadMargin = 0.3;
+
+Eigen::Vector3d combine(const SlotVectors& vectors, const std::array<std::int32_t, 4>& slot,
+                        const std::array<double, 4>& weight) {
+  return ((weight[0] * vectors.get(slot[0]) + weight[1] * vectors.get(slot[1])) +
+          (weight[2] * vectors.get(slot[2]) + weight[3] * vectors.get(slot[3])));
+}
+
+}  // namespace
+
+ContactSolver::ContactSolver(const Model& model, const SlotLayout& layout, std::span<const double> mass)
+    : model_(model),
+      layout_(layout),
+      settings_(model.contact),
+      broad_phase_(static_cast<int>(model.elements.size()), kBroadMargin),
+      near_(model.bodies.size()),
+      shared_weight_(mass.size(), 0.0),
+      predicted_(static_cast<std::int32_t>(mass.size())),
+      contacts_on_body_(model.bodies.size(), 0),
+      body_force_(model.bodies.size(), Eigen::Vector3d::Zero()) {
+  const int count = settings_.samples_per_element;
+  for (int i = 0; i < count; ++i) {
+    const NodalWeights weights = shape((2.0 * i + 1.0 - count) / count, 1.0);
+    samples_.push_back({weights[0], weights[1], weights[2], weights[3]});
+  }
+  for (std::size_t i = 0; i < model.elements.size(); ++i) {
+    const ModelElement& element = model.elements[i];
+    slots_.push_back({layout.position(element.node1), layout.gradient(element.gradient1),
+                      layout.position(element.node2), layout.gradient(element.gradient2)});
+    radius_.push_back(model.material_of(static_cast<std::int32_t>(i)).radius);
+  }
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const ModelBody& body = model.bodies[b];
+    std::vector<NormalLaw> laws;
+    std::vector<std::uint8_t> excluded;
+    for (std::size_t i = 0; i < model.elements.size(); ++i) {
+      const ModelElement& element = model.elements[i];
+      const CableMaterial& material = model.materials[element.material];
+      const double modulus = effective_modulus({material.youngs_modulus, material.poisson_ratio},
+                                               {body.youngs_modulus, body.poisson_ratio});
+      const double stiffness = hertz_stiffness(modulus, effective_radius(material.radius, contact_radius(body.shape)));
+      const double tributary = material.section.mass_per_length * element.length / count;
+      laws.push_back(make_normal_law(stiffness, settings_.restitution, effective_mass(tributary, body.mass)));
+      const auto attached = [&](std::int32_t node) {
+        return model.nodes[node].support == Support::body && model.nodes[node].body == static_cast<std::int32_t>(b);
+      };
+      excluded.push_back(attached(element.node1) || attached(element.node2) || material.radius <= 0);
+    }
+    laws_.push_back(std::move(laws));
+    excluded_.push_back(std::move(excluded));
+  }
+}
+
+// The control polygon of the Bezier form of the element's cubic holds the curve.
+Eigen::AlignedBox3d ContactSolver::bounds(const SlotVectors& coordinates, double length, std::int32_t element) const {
+  const auto& slot = slots_[element];
+  const Eigen::Vector3d r1 = coordinates.get(slot[0]), r2 = coordinates.get(slot[2]);
+  Eigen::AlignedBox3d box(r1);
+  box.extend(r2);
+  box.extend(Eigen::Vector3d(r1 + length / 3 * coordinates.get(slot[1])));
+  box.extend(Eigen::Vector3d(r2 - length / 3 * coordinates.get(slot[3])));
+  const Eigen::Vector3d radius = Eigen::Vector3d::Constant(radius_[element]);
+  return {box.min() - radius, box.max() + radius};
+}
+
+void ContactSolver::update_broad_phase(const SlotVectors& coordinates, const std::vector<double>& element_length,
+                                       const std::vector<DynamicBody>& bodies) {
+  std::vector<Eigen::AlignedBox3d> boxes;
+  for (std::size_t i = 0; i < slots_.size(); ++i) {
+    boxes.push_back(bounds(coordinates, element_length[i], static_cast<std::int32_t>(i)));
+  }
+  std::vector<PlacedShape> shapes;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    shapes.push_back({model_.bodies[b].shape, bodies[b].centre(), bodies[b].rigid().rotation()});
+  }
+  broad_phase_.update(boxes, shapes);
+}
+
+double ContactSolver::clearance(const SlotVectors& coordinates, double length, std::int32_t element, std::int32_t body,
+                                const DynamicBody& dynamic) const {
+  double smallest = std::numeric_limits<double>::infinity();
+  const Eigen::Vector3d centre = dynamic.centre();
+  for (const Sample& sample : samples_) {
+    const Eigen::Vector3d point =
+        combine(coordinates, slots_[element],
+                {sample.position1, length * sample.gradient1, sample.position2, length * sample.gradient2});
+    const Eigen::Vector3d local = symmetric_transposed_product(dynamic.rigid().rotation(), point - centre);
+    smallest = std::min(smallest, nearest_surface_point(model_.bodies[body].shape, local).distance);
+  }
+  return smallest - radius_[element];
+}
+
+void ContactSolver::survey(const SlotVectors& coordinates, const SlotVectors& velocities,
+                           const std::vector<double>& element_length, const std::vector<DynamicBody>& bodies,
+                           double dt) {
+  double fastest = 0;
+  for (std::int32_t node = 0; node < layout_.node_count; ++node) {
+    fastest = std::max(fastest, velocities.get(layout_.position(node)).cwiseAbs().maxCoeff());
+  }
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const double rim = bodies[b].rigid().angular_velocity().norm() * bounding_radius(model_.bodies[b].shape);
+    fastest = std::max(fastest, bodies[b].rigid().velocity().norm() + rim);
+  }
+  // Twice the present speed for what speeds up meanwhile, as far again for the other partner's motion.
+  const double travel = 2 * fastest * kSurveyInterval * dt;
+  if (broad_phase_.advance(travel)) update_broad_phase(coordinates, element_length, bodies);
+  const double margin = kNearMargin + 2 * travel;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    near_[b].clear();
+    if (!model_.bodies[b].touches_cables) continue;
+    for (const std::int32_t element : broad_phase_.candidates(static_cast<int>(b))) {
+      if (excluded_[b][element]) continue;
+      if (clearance(coordinates, element_length[element], element, static_cast<std::int32_t>(b), bodies[b]) < margin) {
+        near_[b].push_back(element);
+      }
+    }
+  }
+}
+
+void ContactSolver::find(const SlotVectors& coordinates, const std::vector<double>& element_length,
+                         const std::vector<DynamicBody>& bodies) {
+  contacts_.clear();
+  deepest_penetration_ = 0;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const Eigen::Vector3d centre = bodies[b].centre();
+    const Eigen::Matrix3d& rotation = bodies[b].rigid().rotation();
+    for (const std::int32_t element : near_[b]) {
+      const double length = element_length[element];
+      for (const Sample& sample : samples_) {
+        const std::array<double, 4> weight = {sample.position1, length * sample.gradient1, sample.position2,
+                                              length * sample.gradient2};
+        const Eigen::Vector3d point = combine(coordinates, slots_[element], weight);
+        const SurfacePoint nearest =
+            nearest_surface_point(model_.bodies[b].shape, symmetric_transposed_product(rotation, point - centre));
+        const double penetration = radius_[element] - nearest.distance;
+        if (penetration <= 0) continue;
+        const Eigen::Vector3d normal = symmetric_product(rotation, nearest.normal);
+        contacts_.push_back({.element = element,
+                             .body = static_cast<std::int32_t>(b),
+                             .slot = slots_[element],
+                             .weight = weight,
+                             .point = point - nearest.distance * normal,
+                             .normal = normal,
+                             .penetration = penetration,
+                             .law = laws_[b][element]});
+        deepest_penetration_ = std::max(deepest_penetration_, penetration);
+      }
+    }
+  }
+}
+
+void ContactSolver::share_inertia() {
+  for (const std::int32_t slot : touched_slots_) shared_weight_[slot] = 0;
+  touched_slots_.clear();
+  std::ranges::fill(contacts_on_body_, 0);
+  for (const Contact& contact : contacts_) {
+    ++contacts_on_body_[contact.body];
+    for (int i = 0; i < 4; ++i) {
+      if (shared_weight_[contact.slot[i]] == 0) touched_slots_.push_back(contact.slot[i]);
+      shared_weight_[contact.slot[i]] += std::abs(contact.weight[i]);
+    }
+  }
+}
+
+Eigen::Vector3d ContactSolver::relative_velocity(const Contact& contact, const SlotVectors& velocities,
+                                                 const DynamicBody& body) const {
+  return combine(velocities, contact.slot, contact.weight) - body.rigid().velocity_at(contact.point);
+}
+
+void ContactSolver::set_force(Contact& contact, std::span<const double> inverse_mass, const DynamicBody& body,
+                              double dt) const {
+  double cable_inverse_mass = 0;
+  for (int i = 0; i < 4; ++i) {
+    cable_inverse_mass += std::abs(contact.weight[i]) * shared_weight_[contact.slot[i]] * inverse_mass[contact.slot[i]];
+  }
+  const double arm = symmetric_norm(contact.point - body.rigid().position());
+  const double w = cable_inverse_mass + contacts_on_body_[contact.body] * body.inverse_mass_bound(arm);
+  const Eigen::Vector3d velocity = relative_velocity(contact, predicted_, body);
+  const double separation_speed = symmetric_dot(velocity, contact.normal);
+  const double normal_force = semi_implicit_normal_force(contact.law, contact.penetration, separation_speed, w, dt);
+  const Eigen::Vector3d sliding = velocity - separation_speed * contact.normal;
+  const double resistance =
+      sliding_resistance(settings_.friction, settings_.friction_velocity, normal_force, symmetric_norm(sliding), w, dt);
+  contact.force = normal_force * contact.normal - resistance * sliding;
+}
+
+void ContactSolver::add_forces(const SlotVectors& coordinates, const SlotVectors& velocities,
+                               std::span<const double> inverse_mass, const std::vector<double>& element_length,
+                               const std::vector<DynamicBody>& bodies, double dt,
+                               const std::function<Eigen::Vector3d(std::int32_t)>& other_force, SlotVectors& applied,
+                               std::vector<Wrench>& wrenches) {
+  if (bodies.empty()) return;
+  if (steps_to_survey_ <= 0) {
+    survey(coordinates, velocities, element_length, bodies, dt);
+    steps_to_survey_ = kSurveyInterval;
+  }
+  --steps_to_survey_;
+  find(coordinates, element_length, bodies);
+  share_inertia();
+  for (const std::int32_t slot : touched_slots_) {
+    predicted_.set(slot, velocities.get(slot) + (dt * inverse_mass[slot]) * other_force(slot));
+  }
+  std::vector<SectorSum<Eigen::Vector3d>> force(bodies.size(), SectorSum<Eigen::Vector3d>(Eigen::Vector3d::Zero()));
+  auto torque = force;
+  for (Contact& contact : contacts_) {
+    const DynamicBody& body = bodies[contact.body];
+    set_force(contact, inverse_mass, body, dt);
+    for (int i = 0; i < 4; ++i) applied.add(contact.slot[i], contact.weight[i] * contact.force);
+    force[contact.body].add(contact.element, -contact.force);
+    torque[contact.body].add(contact.element, (contact.point - body.rigid().position()).cross(-contact.force));
+  }
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    body_force_[b] = force[b].total();
+    wrenches[b] += Wrench{body_force_[b], torque[b].total()};
+  }
+}
+
+double ContactSolver::dissipated_power(const SlotVectors& velocities, const std::vector<DynamicBody>& bodies) const {
+  double power = 0;
+  for (const Contact& contact : contacts_) {
+    power -= symmetric_dot(contact.force, relative_velocity(contact, velocities, bodies[contact.body]));
+  }
+  return power;
+}
+
+std::vector<ContactPoint> ContactSolver::contacts() const {
+  std::vector<ContactPoint> result;
+  for (const Contact& contact : contacts_) {
+    if (contact.force.squaredNorm() == 0) continue;
+    result.push_back({contact.point, -contact.force, contact.element, contact.body});
+  }
+  return result;
+}
+
+}  // namespace netpocket

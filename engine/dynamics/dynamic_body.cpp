@@ -1,0 +1,137 @@
+#include "engine/dynamics/dynamic_body.h"
+
+#include <Eigen/Eigenvalues>
+
+#include "engine/bodies/sector_sum.h"
+#include "engine/bodies/symmetric_algebra.h"
+
+namespace netpocket {
+namespace {
+
+// m (|a|^2 I - a a^T)
+Eigen::Matrix3d point_inertia(double mass, const Eigen::Vector3d& a) {
+  return mass * (symmetric_squared_norm(a) * Eigen::Matrix3d::Identity() - a * a.transpose());
+}
+
+struct AttachedMass {
+  std::int32_t slot;
+  bool direction;
+  double mass;
+  Eigen::Vector3d local;  // from the model's body's centre of mass, body axes
+};
+
+std::vector<AttachedMass> attached_masses(const Model& model, std::int32_t body, const SlotLayout& layout,
+                                          std::span<const double> mass) {
+  const BodyState& state = model.bodies[body].state;
+  const Eigen::Matrix3d rotation = state.attitude.toRotationMatrix();
+  std::vector<AttachedMass> list;
+  for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+    if (model.nodes[i].support != Support::body || model.nodes[i].body != body) continue;
+    const std::int32_t slot = layout.position(static_cast<std::int32_t>(i));
+    list.push_back(
+        {slot, false, mass[slot], symmetric_transposed_product(rotation, model.nodes[i].position - state.position)});
+  }
+  for (std::size_t i = 0; i < model.gradients.size(); ++i) {
+    if (model.gradients[i].support != Support::body || model.gradients[i].body != body) continue;
+    const std::int32_t slot = layout.gradient(static_cast<std::int32_t>(i));
+    list.push_back({slot, true, mass[slot], symmetric_transposed_product(rotation, model.gradients[i].value)});
+  }
+  return list;
+}
+
+// The model's body and its attached masses as one rigid body; `centre` receives the model's body's place in it.
+RigidBody compound(const ModelBody& body, const std::vector<AttachedMass>& attached, Eigen::Vector3d& centre) {
+  double mass = body.mass;
+  SectorSum<Eigen::Vector3d> moment(Eigen::Vector3d::Zero());
+  for (const AttachedMass& a : attached) {
+    if (a.direction) continue;
+    mass += a.mass;
+    moment.add(a.slot, a.mass * a.local);
+  }
+  centre = -moment.total() / mass;
+  SectorSum<Eigen::Matrix3d> inertia(Eigen::Matrix3d::Zero());
+  for (const AttachedMass& a : attached) {
+    inertia.add(a.slot, point_inertia(a.mass, a.direction ? a.local : Eigen::Vector3d(a.local + centre)));
+  }
+  RigidBody rigid(mass, body.inertia + inertia.total() + point_inertia(body.mass, centre));
+  RigidBodyState state;
+  state.attitude = body.state.attitude.normalized();
+  rigid.set_state(state);
+  state.position = body.state.position - rigid.direction_to_world(centre);
+  state.velocity = body.state.velocity - body.state.angular_velocity.cross(rigid.direction_to_world(centre));
+  rigid.set_state(state);
+  rigid.set_angular_velocity(body.state.angular_velocity);
+  return rigid;
+}
+
+}  // namespace
+
+DynamicBody::DynamicBody(const RigidBody& rigid, const Eigen::Vector3d& centre)
+    : rigid_(rigid), centre_(centre), inverse_mass_(1 / rigid.mass()) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(rigid.inertia(), Eigen::EigenvaluesOnly);
+  largest_inverse_inertia_ = 1 / solver.eigenvalues().minCoeff();
+}
+
+DynamicBody::DynamicBody(const Model& model, std::int32_t body, const SlotLayout& layout, std::span<const double> mass)
+    : DynamicBody([&] {
+        const auto attached = attached_masses(model, body, layout, mass);
+        Eigen::Vector3d centre;
+        const RigidBody rigid = compound(model.bodies[body], attached, centre);
+        DynamicBody result(rigid, centre);
+        for (const AttachedMass& a : attached) {
+          result.attachments_.push_back(
+              {a.slot, a.direction, a.direction ? a.local : Eigen::Vector3d(a.local + centre)});
+        }
+        return result;
+      }()) {}
+
+BodyState DynamicBody::state() const {
+  const Eigen::Vector3d point = centre();
+  return {point, rigid_.attitude(), rigid_.velocity_at(point), rigid_.angular_velocity()};
+}
+
+void DynamicBody::move_attachments(SlotVectors& coordinates, SlotVectors& velocities) const {
+  for (const Attachment& a : attachments_) {
+    const Eigen::Vector3d arm = rigid_.direction_to_world(a.local);
+    coordinates.set(a.slot, a.direction ? arm : Eigen::Vector3d(rigid_.position() + arm));
+    const Eigen::Vector3d spin = rigid_.angular_velocity().cross(arm);
+    velocities.set(a.slot, a.direction ? spin : Eigen::Vector3d(rigid_.velocity() + spin));
+  }
+}
+
+Wrench DynamicBody::attachment_wrench(const Attachment& attachment, const Eigen::Vector3d& force) const {
+  const Eigen::Vector3d arm = rigid_.direction_to_world(attachment.local);
+  return {attachment.direction ? Eigen::Vector3d::Zero() : force, arm.cross(force)};
+}
+
+Wrench DynamicBody::total(const Wrench& wrench, const BodyControl& control, double kick) const {
+  const Eigen::Vector3d arm = rigid_.direction_to_world(centre_ + control.point);
+  Wrench sum{wrench.force + control.force, wrench.torque + arm.cross(control.force)};
+  for (int i = 0; i < 3; ++i) {
+    if (control.velocity[i] && kick > 0)
+      sum.force[i] = rigid_.mass() * (*control.velocity[i] - rigid_.velocity()[i]) / kick;
+  }
+  if (control.hold_attitude) sum.torque = -rigid_.angular_momentum() / (kick > 0 ? kick : 1);
+  return sum;
+}
+
+double DynamicBody::step(const Wrench& wrench, const BodyControl& control, double kick, double drift) {
+  const Wrench sum = total(wrench, control, kick);
+  const Eigen::Vector3d velocity = rigid_.velocity(), spin = rigid_.angular_velocity();
+  rigid_.kick(sum.force, sum.torque, kick);
+  const Eigen::Vector3d mean_velocity = 0.5 * (velocity + rigid_.velocity());
+  const Eigen::Vector3d mean_spin = 0.5 * (spin + rigid_.angular_velocity());
+  const double work =
+      kick * ((sum.force - wrench.force).dot(mean_velocity) + (sum.torque - wrench.torque).dot(mean_spin));
+  rigid_.drift(drift);
+  return work;
+}
+
+double DynamicBody::kinetic_energy_after(const Wrench& wrench, const BodyControl& control, double half_kick) const {
+  RigidBody body = rigid_;
+  const Wrench sum = total(wrench, control, 2 * half_kick);
+  body.kick(sum.force, sum.torque, half_kick);
+  return body.kinetic_energy();
+}
+
+}  // namespace netpocket

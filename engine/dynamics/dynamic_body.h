@@ -1,0 +1,80 @@
+#pragma once
+// A rigid body of a model during a run, with the nodes and gradients that are attached to it. Their lumped mass moves
+// with the body, so what is stepped is the body and its attachments as one.
+
+#include <Eigen/Core>
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/bodies/rigid_body.h"
+#include "engine/dynamics/slot_state.h"
+#include "engine/model/model.h"
+
+namespace netpocket {
+
+// What is imposed on a body from outside, until it is changed.
+struct BodyControl {
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();     // N, at `point`
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();     // m, from the body's centre of mass, body axes
+  std::array<std::optional<double>, 3> velocity = {};  // m/s, prescribed velocity components, world axes
+  bool hold_attitude = false;                          // no rotation: an attitude control takes the torque
+};
+
+struct Wrench {
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();   // N
+  Eigen::Vector3d torque = Eigen::Vector3d::Zero();  // N m, about the centre of mass of the body with its attachments
+
+  Wrench& operator+=(const Wrench& other) {
+    force += other.force;
+    torque += other.torque;
+    return *this;
+  }
+  friend Wrench operator+(Wrench a, const Wrench& b) { return a += b; }
+};
+
+class DynamicBody {
+ public:
+  struct Attachment {
+    std::int32_t slot;
+    bool direction;         // a gradient: turns with the body
+    Eigen::Vector3d local;  // m from the common centre of mass, or the gradient; body axes
+  };
+
+  // `mass` by slot.
+  DynamicBody(const Model& model, std::int32_t body, const SlotLayout& layout, std::span<const double> mass);
+
+  RigidBody& rigid() { return rigid_; }
+  const RigidBody& rigid() const { return rigid_; }
+  const std::vector<Attachment>& attachments() const { return attachments_; }
+
+  // State of the model's body itself, without attachments.
+  BodyState state() const;
+  // The model's body's centre of mass, world frame, m.
+  Eigen::Vector3d centre() const { return rigid_.to_world(centre_); }
+
+  // Sets positions and velocities of the attached slots from the body's.
+  void move_attachments(SlotVectors& coordinates, SlotVectors& velocities) const;
+  // Wrench of a generalised force on an attached slot.
+  Wrench attachment_wrench(const Attachment& attachment, const Eigen::Vector3d& force) const;
+
+  // Kicks by `wrench` and the control over `kick`, drifts by `drift` (s). Returns the work (J) that the control did.
+  double step(const Wrench& wrench, const BodyControl& control, double kick, double drift);
+  // Kinetic energy (J) after half a kick from now.
+  double kinetic_energy_after(const Wrench& wrench, const BodyControl& control, double half_kick) const;
+  // Upper bound of the speed change (1/kg) of a point at distance `arm` (m) by a unit impulse there.
+  double inverse_mass_bound(double arm) const { return inverse_mass_ + arm * arm * largest_inverse_inertia_; }
+
+ private:
+  DynamicBody(const RigidBody& rigid, const Eigen::Vector3d& centre);
+  Wrench total(const Wrench& wrench, const BodyControl& control, double kick) const;
+
+  RigidBody rigid_;
+  Eigen::Vector3d centre_;  // of the model's body, from the common centre of mass, body axes
+  std::vector<Attachment> attachments_;
+  double inverse_mass_;
+  double largest_inverse_inertia_;
+};
+
+}  // namespace netpocket

@@ -1,0 +1,182 @@
+#include "engine/dynamics/simulation.h"
+
+#include <fmt/format.h>
+#include <time.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "engine/bodies/symmetric_algebra.h"
+#include "engine/dynamics/cable_system.h"
+#include "engine/dynamics/channels.h"
+#include "engine/dynamics/towing.h"
+#include "engine/pocket/pocket.h"
+
+namespace netpocket {
+namespace {
+
+// Steps between two checks that the state is sound.
+constexpr std::int64_t kFaultInterval = 256;
+
+double cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+double wall_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+SystemOptions system_options(const Scenario& scenario, const SimulationOptions& options) {
+  return {scenario.solver.evaluation == Evaluation::full ? ElementEvaluation::full : ElementEvaluation::mean_strain,
+          options.threads};
+}
+
+double total_mass(const Model& model) {
+  double mass = model.cable_mass();
+  for (const ModelBody& body : model.bodies) mass += body.mass;
+  return mass;
+}
+
+}  // namespace
+
+struct Simulation::Impl {
+  Impl(const Scenario& s, const SimulationOptions& options)
+      : scenario(s),
+        pocket(build_pocket(s)),
+        system(pocket.model, system_options(s, options)),
+        drive(s.towing, s.spacecraft.station_keeping, total_mass(pocket.model)),
+        channels(pocket) {
+    perturb();
+    choose_step();
+  }
+
+  Scenario scenario;
+  Pocket pocket;
+  CableSystem system;
+  SpacecraftDrive drive;
+  ChannelRecorder channels;
+  StableStep stable{};        // of the pocket as built, without closing ropes' shortening
+  double rope_wave_step = 0;  // s, stable step of a closing-rope element of 1 m
+  double time_step = 0;       // s, in the present output interval
+  double smallest_step = std::numeric_limits<double>::infinity();
+  std::int64_t interval = -1;  // present output interval
+  std::int64_t interval_steps = 1, steps_in_interval = 0;
+  double wall = 0, cpu = 0;
+
+  // Small random displacements of the free net nodes, to see how asymmetry grows.
+  void perturb() {
+    if (scenario.solver.perturbation <= 0) return;
+    std::mt19937 generator(static_cast<std::uint32_t>(scenario.solver.seed));
+    std::uniform_real_distribution<double> uniform(-scenario.solver.perturbation, scenario.solver.perturbation);
+    for (std::size_t i = 0; i < pocket.model.nodes.size(); ++i) {
+      const Eigen::Vector3d displacement(uniform(generator), uniform(generator), uniform(generator));
+      if (pocket.model.nodes[i].support == Support::free) system.displace(static_cast<std::int32_t>(i), displacement);
+    }
+  }
+
+  void choose_step() {
+    stable = system.stable_step();
+    const CableSection& rope = pocket.model.material_of(pocket.model.ropes.front().elements.front()).section;
+    rope_wave_step = std::sqrt(rope.mass_per_length / rope.EA);
+  }
+
+  // Largest step in use at this time: the elements' (with safety) and, as the closing ropes shorten, that of the axial
+  // waves in their elements, L/c.
+  double allowed_step(double time) const {
+    if (scenario.solver.time_step > 0) return scenario.solver.time_step;
+    const VariableRope& rope = pocket.model.ropes.front();
+    const double length = rope.motion(time).length / static_cast<double>(rope.elements.size());
+    return scenario.solver.safety * std::min(stable.step, rope_wave_step * length);
+  }
+
+  // Divides the output interval that begins now into equal steps.
+  void begin_interval() {
+    const double frame = 1 / scenario.output.frame_rate;
+    ++interval;
+    const double end = static_cast<double>(interval + 1) * frame;
+    const double allowed = std::min(allowed_step(system.time()), allowed_step(end));
+    interval_steps = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(frame / allowed)));
+    time_step = (end - static_cast<double>(interval) * frame) / static_cast<double>(interval_steps);
+    smallest_step = std::min(smallest_step, time_step);
+    steps_in_interval = 0;
+  }
+
+  std::optional<RunStatus> step() {
+    if (interval < 0 || steps_in_interval == interval_steps) begin_interval();
+    system.control(pocket.spacecraft, drive.at(system.time(), system.body(pocket.spacecraft).velocity.y()));
+    system.step(time_step);
+    ++steps_in_interval;
+    if (system.steps() % kFaultInterval != 0) return std::nullopt;
+    return diverged();
+  }
+
+  std::optional<RunStatus> diverged() const {
+    const auto fault = system.fault();
+    if (!fault) return std::nullopt;
+    return RunStatus{RunReason::diverged, system.time(),
+                     fmt::format("diverged at step {} (t = {:.4f} s): {}; try solver.safety below {} or a smaller "
+                                 "solver.time_step",
+                                 system.steps(), system.time(), *fault, scenario.solver.safety)};
+  }
+};
+
+Simulation::Simulation(const Scenario& scenario, const SimulationOptions& options)
+    : impl_(std::make_unique<Impl>(scenario, options)) {}
+Simulation::~Simulation() = default;
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation& Simulation::operator=(Simulation&&) noexcept = default;
+
+const Scenario& Simulation::scenario() const { return impl_->scenario; }
+const Structure& Simulation::structure() const { return impl_->pocket.structure; }
+double Simulation::time() const { return impl_->system.time(); }
+
+RunStatus Simulation::advance(double until, const std::stop_token& stop) {
+  const double wall = wall_seconds(), cpu = cpu_seconds();
+  RunStatus status{RunReason::finished, 0, "reached the requested time"};
+  // Half a step of tolerance: the sum of many steps is not exactly the time of a frame.
+  while (time() + 0.5 * impl_->time_step < until) {
+    if (stop.stop_requested()) {
+      status = {RunReason::stopped, 0, "stopped on request"};
+      break;
+    }
+    if (const auto failure = impl_->step()) {
+      status = *failure;
+      break;
+    }
+  }
+  if (status.reason == RunReason::finished) {
+    if (const auto failure = impl_->diverged()) status = *failure;
+  }
+  status.time = time();
+  impl_->wall += wall_seconds() - wall;
+  impl_->cpu += cpu_seconds() - cpu;
+  return status;
+}
+
+Snapshot Simulation::snapshot() {
+  Snapshot result;
+  impl_->system.capture(result);
+  impl_->channels.fill(result, structure(), impl_->system, impl_->time_step);
+  return result;
+}
+
+RunStatistics Simulation::statistics() const {
+  RunStatistics result;
+  result.simulated_seconds = time();
+  result.wall_seconds = impl_->wall;
+  result.cpu_seconds = impl_->cpu;
+  result.steps = impl_->system.steps();
+  result.elements = static_cast<std::int32_t>(structure().elements.size());
+  result.coordinates = 3 * (structure().node_count + structure().gradient_count);
+  result.time_step = std::isfinite(impl_->smallest_step) ? impl_->smallest_step : impl_->allowed_step(0);
+  result.step_limit = impl_->scenario.solver.time_step > 0 ? "solver.time_step" : impl_->stable.limit;
+  result.evaluation = impl_->scenario.solver.evaluation == Evaluation::full ? "full" : "mean_strain";
+  return result;
+}
+
+}  // namespace netpocket

@@ -1,0 +1,174 @@
+#include "engine/dynamics/stable_step.h"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <limits>
+
+#include "engine/ancf/full_element.h"
+#include "engine/ancf/mass.h"
+#include "engine/dynamics/consistent_mass.h"
+
+namespace netpocket {
+namespace {
+
+using Vectors = std::vector<Eigen::Vector3d>;
+
+// Where an element's stiffness stands in the power iteration: how much strain energy its parts take.
+struct ModeEnergy {
+  double axial = 0;
+  double bending = 0;
+};
+
+// Adds (K + factor C) x of one element to `product`; K of the mean-strain element without tension.
+ModeEnergy add_element_product(const BatchElement& element, const SlotVectors& q, double factor, const Vectors& x,
+                               Vectors& product, ModeEnergy& damping) {
+  const auto [r1, g1, r2, g2] = element.slot;
+  const double inverse_length = 1 / element.length;
+  const CableSection& section = element.section;
+  const Eigen::Vector3d e = (q.get(r2) - q.get(r1)) * inverse_length;
+  const Eigen::Vector3d h1 = q.get(g1) - e, h2 = q.get(g2) - e;
+  const Eigen::Vector3d strain_e = e - 0.1 * (h1 + h2);
+  const Eigen::Vector3d strain_g1 = (4 * h1 - h2) / 30, strain_g2 = (4 * h2 - h1) / 30;
+
+  const Eigen::Vector3d chord = (x[r2] - x[r1]) * inverse_length;
+  const double strain = strain_e.dot(chord) + strain_g1.dot(x[g1]) + strain_g2.dot(x[g2]);
+  const double tension = section.EA * (1 + factor * section.axial_damping) * strain;
+  const Eigen::Vector3d s = x[g1] - x[g2], a = x[g1] + x[g2] - 2 * chord;
+  const double bending = section.EI * inverse_length * (1 + factor * section.bending_damping);
+  const Eigen::Vector3d moment_s = bending * s, moment_a = 3 * bending * a;
+
+  const Eigen::Vector3d force2 = tension * strain_e - 2 * inverse_length * moment_a;
+  product[r1] -= force2;
+  product[r2] += force2;
+  product[g1] += tension * element.length * strain_g1 + moment_s + moment_a;
+  product[g2] += tension * element.length * strain_g2 - moment_s + moment_a;
+
+  const ModeEnergy energy{section.EA * element.length * strain * strain,
+                          section.EI * inverse_length * (s.squaredNorm() + 3 * a.squaredNorm())};
+  damping.axial += section.axial_damping * energy.axial;
+  damping.bending += section.bending_damping * energy.bending;
+  return energy;
+}
+
+double stable_for(double stiffness, double damping) {
+  if (stiffness <= 0) return std::numeric_limits<double>::infinity();
+  return (std::sqrt(damping * damping + 4 * stiffness) - damping) / stiffness;
+}
+
+// Deterministic, dense in all modes.
+Vectors start_vector(std::int32_t size) {
+  Vectors x(size);
+  std::uint32_t seed = 1;
+  const auto next = [&seed] {
+    seed = seed * 1664525u + 1013904223u;
+    return seed / 4294967296.0 - 0.5;
+  };
+  for (Eigen::Vector3d& v : x) v = {next(), next(), next()};
+  return x;
+}
+
+}  // namespace
+
+StableStep find_stable_step(const Model& model, const SlotLayout& layout, std::span<const BatchElement> elements,
+                            std::span<const double> inverse_mass, const SlotVectors& coordinates) {
+  constexpr int kIterations = 120;
+  constexpr double kMargin = 0.98;  // the Rayleigh quotient approaches the highest frequency from below
+  Vectors x = start_vector(coordinates.size()), product(x.size());
+  double step = 1e-4;
+  StableStep result{std::numeric_limits<double>::infinity(), "nothing moves"};
+  for (int iteration = 0; iteration < kIterations; ++iteration) {
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      if (inverse_mass[i] == 0) x[i].setZero();
+      product[i].setZero();
+    }
+    double kinetic = 0, potential = 0, dissipation = 0, largest = -1;
+    const auto consider = [&](double energy, const std::string& what, bool last) {
+      if (energy > largest) {
+        largest = energy;
+        if (last) result.limit = what;
+      }
+    };
+    const bool last = iteration == kIterations - 1;
+    const double factor = 2 / step;
+    ModeEnergy damping;
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      const ModeEnergy energy = add_element_product(elements[i], coordinates, factor, x, product, damping);
+      potential += energy.axial + energy.bending;
+      if (energy.axial + energy.bending > largest) {
+        const std::string& thread = model.threads[model.elements[i].thread];
+        consider(energy.axial + energy.bending,
+                 (energy.axial > energy.bending ? "axial waves in " : "bending waves in ") + thread, last);
+      }
+    }
+    for (const Hinge& hinge : model.hinges) {
+      const std::int32_t g1 = layout.gradient(hinge.gradient1), g2 = layout.gradient(hinge.gradient2);
+      const Eigen::Vector3d bend = x[g2] - x[g1];  // the rest rotation does not change the size of the stiffness
+      const double stiffness = hinge.stiffness + factor * hinge.damping;
+      product[g2] += stiffness * bend;
+      product[g1] -= stiffness * bend;
+      potential += hinge.stiffness * bend.squaredNorm();
+      dissipation += hinge.damping * bend.squaredNorm();
+      consider(hinge.stiffness * bend.squaredNorm(), "a rod's kink", last);
+    }
+    dissipation += damping.axial + damping.bending;
+    double norm = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      if (inverse_mass[i] == 0) continue;
+      kinetic += x[i].squaredNorm() / inverse_mass[i];
+      x[i] = product[i] * inverse_mass[i];
+      norm = std::max(norm, x[i].cwiseAbs().maxCoeff());
+    }
+    if (kinetic == 0 || norm == 0) return result;
+    for (Eigen::Vector3d& v : x) v /= norm;
+    step = stable_for(potential / kinetic, dissipation / kinetic);
+    if (!std::isfinite(step)) return result;
+    result.step = kMargin * step;
+  }
+  return result;
+}
+
+namespace {
+
+// Smallest stable step over the modes of one free element.
+double stable_step_of_element(const BatchElement& element, bool lumped, const ElementCoordinates& q) {
+  const auto stiffness = [&](double EA, double EI) -> ElementTangent {
+    CableSection section = element.section;
+    section.EA = EA;
+    section.EI = EI;
+    return FullElement(section, {.length = element.length}).tangent(q);
+  };
+  const ElementTangent axial = stiffness(element.section.EA, 0), bending = stiffness(0, element.section.EI);
+  Eigen::Matrix4d mass = consistent_mass(element.section.mass_per_length, element.length);
+  if (lumped) mass = lumped_mass(element.section.mass_per_length, element.length).asDiagonal();
+  ElementTangent mass_matrix = ElementTangent::Zero();
+  for (int a = 0; a < 4; ++a) {
+    for (int b = 0; b < 4; ++b) mass_matrix.block<3, 3>(3 * a, 3 * b) = mass(a, b) * Eigen::Matrix3d::Identity();
+  }
+  const Eigen::GeneralizedSelfAdjointEigenSolver<ElementTangent> modes(axial + bending, mass_matrix);
+  double step = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 12; ++i) {
+    const auto mode = modes.eigenvectors().col(i);
+    const double damping = element.section.axial_damping * mode.dot(axial * mode) +
+                           element.section.bending_damping * mode.dot(bending * mode);
+    step = std::min(step, stable_for(modes.eigenvalues()[i], std::max(damping, 0.0)));
+  }
+  return step;
+}
+
+}  // namespace
+
+StableStep find_stable_step_of_full_elements(const Model& model, std::span<const BatchElement> elements,
+                                             const SlotVectors& coordinates) {
+  StableStep result{std::numeric_limits<double>::infinity(), "nothing moves"};
+  const std::vector<std::uint8_t> lumped = lumped_elements(model);
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    ElementCoordinates q;
+    for (int corner = 0; corner < 4; ++corner) q.col(corner) = coordinates.get(elements[i].slot[corner]);
+    const double step = stable_step_of_element(elements[i], lumped[i] != 0, q);
+    if (step < result.step)
+      result = {step, "the full element's stiffness in " + model.threads[model.elements[i].thread]};
+  }
+  return result;
+}
+
+}  // namespace netpocket

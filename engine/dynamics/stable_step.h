@@ -1,0 +1,34 @@
+#pragma once
+// The largest stable step of the explicit integrator and what limits it.
+//
+// For a mode of frequency w and damping rate d the leapfrog step with damping at the last half step is stable up to
+//   dt = (sqrt(d^2 + 4 w^2) - d) / w^2,
+// from dt^2 w^2 + 2 d dt <= 4 (Belytschko, Liu & Moran, Nonlinear Finite Elements, section 6.2; lagged damping). The
+// limiting mode is found by power iteration on M^-1 (K + 2/dt C) of the model in its present shape, K without the
+// geometric stiffness of tensions, which is far smaller.
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/ancf/element_batch.h"
+#include "engine/dynamics/slot_state.h"
+#include "engine/model/model.h"
+
+namespace netpocket {
+
+struct StableStep {
+  double step;        // s
+  std::string limit;  // e.g. "axial waves in panel 3 row 2"
+};
+
+// `inverse_mass` by slot, 0 where a slot does not move by itself.
+StableStep find_stable_step(const Model& model, const SlotLayout& layout, std::span<const BatchElement> elements,
+                            std::span<const double> inverse_mass, const SlotVectors& coordinates);
+
+// The same for full elements with consistent mass: the highest frequency of any single element, which bounds that of
+// the whole from above (Irons & Treharne 1971). `elements` at their present lengths; elements in their present shape.
+StableStep find_stable_step_of_full_elements(const Model& model, std::span<const BatchElement> elements,
+                                             const SlotVectors& coordinates);
+
+}  // namespace netpocket

@@ -1,0 +1,42 @@
+#include "engine/pocket/materials.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace netpocket {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+}  // namespace
+
+CableMaterial cord_material(const CordParameters& cord) {
+  const double area = kPi * cord.diameter * cord.diameter / 4;
+  const double second_moment = kPi * std::pow(cord.diameter, 4) / 64;
+  return {.section = {.EA = cord.youngs_modulus * area,
+                      .EI = cord.youngs_modulus * second_moment,
+                      .mass_per_length = cord.density * area,
+                      .axial_damping = cord.axial_damping,
+                      .bending_damping = cord.bending_damping,
+                      .compression = cord.compression},
+          .radius = cord.diameter / 2,
+          .youngs_modulus = cord.youngs_modulus,
+          .poisson_ratio = cord.poisson_ratio};
+}
+
+CableMaterial rod_material(const RodParameters& rods, double wall) {
+  const double outer = rods.outer_diameter, inner = std::max(0.0, outer - 2 * wall);
+  const double area = kPi * (outer * outer - inner * inner) / 4;
+  const double second_moment = kPi * (std::pow(outer, 4) - std::pow(inner, 4)) / 64;
+  return {.section = {.EA = rods.youngs_modulus * area,
+                      .EI = rods.youngs_modulus * second_moment,
+                      .mass_per_length = rods.density * area,
+                      .axial_damping = rods.axial_damping,
+                      .bending_damping = rods.bending_damping,
+                      .compression = 1},
+          .radius = outer / 2,
+          .youngs_modulus = rods.youngs_modulus,
+          .poisson_ratio = rods.poisson_ratio};
+}
+
+}  // namespace netpocket

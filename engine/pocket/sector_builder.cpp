@@ -1,0 +1,76 @@
+#include "engine/pocket/sector_builder.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "engine/bodies/symmetric_algebra.h"
+
+namespace netpocket {
+
+// Rods 0, n/4, n/2 and 3n/4 lie exactly on the axes and every other rod's direction is that of a rod of the first
+// quarter, turned by swapping and negating components.
+Eigen::Vector3d SectorBuilder::radial(int rod) const {
+  const auto first_quarter = [&](double angle) -> Eigen::Vector3d {
+    if (angle == 0) return {1, 0, 0};
+    if (4 * angle == std::numbers::pi) return {std::sqrt(0.5), 0, std::sqrt(0.5)};
+    return {std::cos(angle), 0, std::sin(angle)};
+  };
+  if (sectors_ % 4 != 0) {
+    const double angle = 2 * std::numbers::pi * rod / sectors_;
+    return {std::cos(angle), 0, std::sin(angle)};
+  }
+  const int per_quarter = sectors_ / 4;
+  Eigen::Vector3d direction = first_quarter(2 * std::numbers::pi * (rod % per_quarter) / sectors_);
+  for (int turn = 0; turn < rod / per_quarter % 4; ++turn)
+    direction = Eigen::Vector3d(-direction.z(), 0, direction.x());
+  return direction;
+}
+
+SectorIndex SectorBuilder::add_node(const std::function<Eigen::Vector3d(int)>& position) {
+  for (int sector = 0; sector < sectors_; ++sector) model_.add_node(position(sector));
+  return {node_locals_++};
+}
+
+Eigen::Vector3d SectorBuilder::position(SectorIndex node, int sector) const {
+  return model_.nodes[resolve(node, sector)].position;
+}
+
+SectorThread SectorBuilder::add_thread(const std::vector<SectorIndex>& knots, const std::vector<int>& divisions,
+                                       std::int32_t material, ElementKind kind,
+                                       const std::function<std::string(int)>& name) {
+  SectorThread thread;
+  for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
+    thread.nodes.push_back(knots[i]);
+    for (int k = 1; k < divisions[i]; ++k) {
+      const double part = static_cast<double>(k) / divisions[i];
+      thread.nodes.push_back(add_node([&](int sector) -> Eigen::Vector3d {
+        return (1 - part) * position(knots[i], sector) + part * position(knots[i + 1], sector);
+      }));
+    }
+  }
+  thread.nodes.push_back(knots.back());
+
+  const auto direction = [&](int sector) -> Eigen::Vector3d {
+    const Eigen::Vector3d span = position(thread.nodes.back(), sector) - position(thread.nodes.front(), sector);
+    return span / symmetric_norm(span);
+  };
+  for (const SectorIndex node : thread.nodes) {
+    for (int sector = 0; sector < sectors_; ++sector) model_.add_gradient(resolve(node, sector), direction(sector));
+    thread.gradients.push_back({gradient_locals_++});
+  }
+
+  std::vector<std::int32_t> thread_names;
+  for (int sector = 0; sector < sectors_; ++sector) thread_names.push_back(model_.add_thread(name(sector)));
+  for (std::size_t i = 0; i + 1 < thread.nodes.size(); ++i) {
+    for (int sector = 0; sector < sectors_; ++sector) {
+      const double length = symmetric_norm(position(thread.nodes[i + 1], sector) - position(thread.nodes[i], sector));
+      model_.add_element({resolve(thread.nodes[i], sector), resolve(thread.gradients[i], sector),
+                          resolve(thread.nodes[i + 1], sector), resolve(thread.gradients[i + 1], sector), length,
+                          material, kind, thread_names[sector]});
+    }
+    thread.elements.push_back(element_locals_++);
+  }
+  return thread;
+}
+
+}  // namespace netpocket

@@ -1,0 +1,60 @@
+#pragma once
+// Adds nodes, gradients and elements to a model for all sectors of a pocket at once, numbered sector fastest.
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "engine/model/model.h"
+
+namespace netpocket {
+
+// A node or gradient of every sector: `local` counts within a sector; `next` refers to the following sector's.
+struct SectorIndex {
+  std::int32_t local = -1;
+  bool next = false;
+
+  SectorIndex of_next() const { return {local, true}; }
+  bool operator==(const SectorIndex&) const = default;
+};
+
+// A chain of elements through every sector, from knot to knot.
+struct SectorThread {
+  std::vector<SectorIndex> nodes;
+  std::vector<SectorIndex> gradients;  // one for each node
+  std::vector<std::int32_t> elements;  // local: index in the model = local * sectors + sector
+};
+
+class SectorBuilder {
+ public:
+  // Adds to `model`, which must not have nodes, gradients or elements yet.
+  SectorBuilder(Model& model, int sectors) : model_(model), sectors_(sectors) {}
+
+  int sectors() const { return sectors_; }
+  // Horizontal unit vector from the axis towards rod `rod`; exact under quarter turns.
+  Eigen::Vector3d radial(int rod) const;
+
+  // A node of each sector at position(sector).
+  SectorIndex add_node(const std::function<Eigen::Vector3d(int sector)>& position);
+  Eigen::Vector3d position(SectorIndex node, int sector) const;
+  std::int32_t node(SectorIndex index, int sector) const { return resolve(index, sector); }
+  std::int32_t gradient(SectorIndex index, int sector) const { return resolve(index, sector); }
+  std::int32_t element(std::int32_t local, int sector) const { return local * sectors_ + sector; }
+
+  // A straight thread through `knots`, `divisions[i]` elements between knot i and i+1, at its natural length; one
+  // gradient per node, of unit length. `name(sector)` names it.
+  SectorThread add_thread(const std::vector<SectorIndex>& knots, const std::vector<int>& divisions,
+                          std::int32_t material, ElementKind kind, const std::function<std::string(int sector)>& name);
+
+ private:
+  std::int32_t resolve(SectorIndex index, int sector) const {
+    return index.local * sectors_ + (index.next ? (sector + 1) % sectors_ : sector);
+  }
+
+  Model& model_;
+  int sectors_;
+  std::int32_t node_locals_ = 0, gradient_locals_ = 0, element_locals_ = 0;
+};
+
+}  // namespace netpocket
