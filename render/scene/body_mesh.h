@@ -18,6 +18,9 @@ struct BodyMesh {
 // one: cords that touch it are chords of it between their points, and must not disappear in it.
 BodyMesh shape_mesh(const Shape& shape, const Palette& palette);
 
+// The shape's true surface, without pattern.
+vtkSmartPointer<vtkPolyData> plain_shape_mesh(const Shape& shape);
+
 // A bus of the shape's size with a ring of `root_radius` (m) for the rods on its +Y side, `root_height` (m) above the
 // centre of mass, an engine on its -Y side, and two solar arrays along its x axis. Only the bus is touched by anything.
 BodyMesh spacecraft_mesh(const Shape& shape, double root_radius, double root_height);

@@ -1,6 +1,8 @@
 #include "render/scene/color_scale.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace netpocket {
 namespace {
@@ -58,8 +60,8 @@ Color ColorScale::color_at_fraction(double fraction) const {
 
 void ColorScale::widen(const Snapshot& snapshot) {
   if (fixed_range_ || !active()) return;
-  const double largest = largest_value(structure_, snapshot, color_by_);
-  if (largest > range_.high || range_.high == 0) range_.high = round_up(largest);
+  const double high = high_value(structure_, snapshot, color_by_);
+  if (high > range_.high || range_.high == 0) range_.high = round_up(high);
 }
 
 std::string ColorScale::label() const {
@@ -78,16 +80,19 @@ std::string ColorScale::label() const {
 
 double ColorScale::display_unit() const { return color_by_ == ColorBy::strain ? 1e-6 : 1; }
 
-double largest_value(const Structure& structure, const Snapshot& snapshot, ColorBy color_by) {
+double high_value(const Structure& structure, const Snapshot& snapshot, ColorBy color_by) {
   SceneOptions options;
   options.color_by = color_by;
   const ColorScale scale(structure, options);
-  double largest = 0;
+  std::vector<double> values;
   for (std::size_t i = 0; i < structure.elements.size(); ++i) {
     if (!scale.colors(structure.elements[i].kind)) continue;
-    largest = std::max({largest, scale.value(snapshot, i, 0), scale.value(snapshot, i, 1)});
+    values.push_back(std::max(scale.value(snapshot, i, 0), scale.value(snapshot, i, 1)));
   }
-  return largest;
+  if (values.empty()) return 0;
+  const auto place = values.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(values.size() - 1));
+  std::ranges::nth_element(values, place);
+  return *place;
 }
 
 double round_up(double value) {

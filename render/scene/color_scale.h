@@ -37,8 +37,9 @@ class ColorScale {
   ValueRange range_;
 };
 
-// Largest value of a quantity over the coloured elements of a snapshot, in SI units.
-double largest_value(const Structure& structure, const Snapshot& snapshot, ColorBy color_by);
+// A quantity's value in SI units that one in a hundred of the coloured elements of a snapshot exceeds: one cord that is
+// plucked must not darken all others.
+double high_value(const Structure& structure, const Snapshot& snapshot, ColorBy color_by);
 // The next 1, 2, 2.5 or 5 times a power of ten; 1 for 0.
 double round_up(double value);
 

@@ -4,7 +4,6 @@
 
 #include "render/scene/axes_triad.h"
 #include "render/scene/body_actor.h"
-#include "render/scene/body_mesh.h"
 #include "render/scene/cord_actor.h"
 #include "render/scene/joint_actor.h"
 #include "render/scene/legend.h"
@@ -51,6 +50,7 @@ PocketScene::PocketScene(const Structure& structure, const SceneOptions& options
   renderer_->SetGradientBackground(colors.background != colors.background_top);
   renderer_->SetUseFXAA(options_.fast_smoothing);
   add_actors();
+  add_annotations();
   for (const auto& actor : actors_) {
     for (const auto& prop : actor->props()) renderer_->AddViewProp(prop);
   }
@@ -65,7 +65,6 @@ PocketScene::~PocketScene() {
 }
 
 void PocketScene::add_actors() {
-  const auto& colors = palette(options_.background);
   for (std::size_t i = 0; i < structure_.bodies.size(); ++i) {
     actors_.push_back(std::make_unique<BodyActor>(structure_, i, options_));
   }
@@ -73,6 +72,11 @@ void PocketScene::add_actors() {
   actors_.push_back(std::make_unique<JointActor>(structure_, options_.background));
   actors_.push_back(std::make_unique<CordActor>(structure_, scale_, net_style(options_)));
   actors_.push_back(std::make_unique<CordActor>(structure_, scale_, closing_rope_style(options_)));
+}
+
+void PocketScene::add_annotations() {
+  const auto& colors = palette(options_.background);
+  first_annotation_ = actors_.size();
   actors_.push_back(std::make_unique<TimeLabel>(options_, colors.text));
   if (options_.scale_bar) actors_.push_back(std::make_unique<ScaleBar>(options_, colors.text));
   if (options_.axes) actors_.push_back(std::make_unique<AxesTriad>(options_, colors.text));
@@ -84,28 +88,17 @@ void PocketScene::update(const Snapshot& snapshot) {
   for (const auto& actor : actors_) actor->update(snapshot);
 }
 
+void PocketScene::show_annotations(bool visible) {
+  for (auto i = first_annotation_; i < actors_.size(); ++i) {
+    for (const auto& prop : actors_[i]->props()) prop->SetVisibility(visible);
+  }
+}
+
 void PocketScene::prepare_drawing() {
   renderer_->ResetCameraClippingRange();
   const int* size = renderer_->GetSize();
   const View view{size[0], size[1], renderer_->GetActiveCamera()};
   for (const auto& actor : actors_) actor->adapt(view);
-}
-
-Eigen::Matrix3Xd visible_points(const Structure& structure, const Snapshot& snapshot) {
-  const auto nodes = snapshot.positions.cols();
-  Eigen::Matrix3Xd points(3, nodes + 8 * static_cast<Eigen::Index>(structure.bodies.size()));
-  points.leftCols(nodes) = snapshot.positions;
-  auto next = nodes;
-  for (std::size_t i = 0; i < structure.bodies.size(); ++i) {
-    const auto& body = structure.bodies[i];
-    const Eigen::Vector3d half = body.role == BodyRole::spacecraft ? spacecraft_half_extent(body.shape)
-                                                                   : Eigen::Vector3d(shape_size(body.shape) / 2);
-    for (int corner = 0; corner < 8; ++corner) {
-      const Eigen::Vector3d signs(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
-      points.col(next++) = snapshot.bodies[i].position + snapshot.bodies[i].attitude * half.cwiseProduct(signs);
-    }
-  }
-  return points;
 }
 
 }  // namespace netpocket

@@ -32,11 +32,15 @@ class PocketScene {
   // Shows a state; it must fit the structure. Changes points in place: no prop is made anew.
   void update(const Snapshot& snapshot);
 
+  // Labels, legend, scale bar and axes.
+  void show_annotations(bool visible);
+
   // The colours' range; grows with the snapshots unless the options fix it.
   ValueRange color_range() const { return scale_.range(); }
 
  private:
   void add_actors();
+  void add_annotations();
   void prepare_drawing();
 
   Structure structure_;
@@ -44,11 +48,8 @@ class PocketScene {
   ColorScale scale_;
   vtkSmartPointer<vtkRenderer> renderer_;
   std::vector<std::unique_ptr<SceneActor>> actors_;
+  std::size_t first_annotation_ = 0;  // among the actors
   unsigned long start_observer_ = 0;
 };
-
-// What must be in the picture of a snapshot: nodes and the outlines of the bodies; m, world. For frame_view; join those
-// of several snapshots to frame a run.
-Eigen::Matrix3Xd visible_points(const Structure& structure, const Snapshot& snapshot);
 
 }  // namespace netpocket

@@ -103,6 +103,20 @@ BodyMesh shape_mesh(const Shape& shape, const Palette& palette) {
   return {surface.build(), lines.build()};
 }
 
+vtkSmartPointer<vtkPolyData> plain_shape_mesh(const Shape& shape) {
+  MeshBuilder mesh;
+  if (const auto* sphere = std::get_if<Sphere>(&shape)) {
+    mesh.add_sphere({0, 0, 0}, sphere->radius, 48, 24);
+  } else if (const auto* box = std::get_if<Box>(&shape)) {
+    mesh.add_box({0, 0, 0}, box->size);
+  } else {
+    const auto& cylinder = std::get<Cylinder>(shape);
+    const Eigen::Vector3d end = Eigen::Vector3d::UnitY() * cylinder.length / 2;
+    mesh.add_cylinder(-end, end, cylinder.radius, cylinder.radius, 48);
+  }
+  return mesh.build();
+}
+
 Eigen::Vector3d shape_size(const Shape& shape) {
   if (const auto* box = std::get_if<Box>(&shape)) return box->size;
   if (const auto* sphere = std::get_if<Sphere>(&shape)) return Eigen::Vector3d::Constant(2 * sphere->radius);

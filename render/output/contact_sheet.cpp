@@ -1,0 +1,93 @@
+#include "render/output/contact_sheet.h"
+
+#include <cairo.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+
+#include "render/render_error.h"
+
+namespace netpocket {
+namespace {
+
+using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
+using Context = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
+
+// Cairo's pixels are words 0x00RRGGBB, its rows may be padded.
+std::uint32_t* row_of(cairo_surface_t* surface, int row) {
+  return reinterpret_cast<std::uint32_t*>(cairo_image_surface_get_data(surface) +
+                                          static_cast<std::ptrdiff_t>(row) * cairo_image_surface_get_stride(surface));
+}
+
+void copy_panel(const Image& image, cairo_surface_t* surface, int left, int top) {
+  const std::uint8_t* rgb = image.rgb.data();
+  for (int y = 0; y < image.height; ++y) {
+    std::uint32_t* pixel = row_of(surface, top + y) + left;
+    for (int x = 0; x < image.width; ++x, rgb += 3) {
+      *pixel++ = static_cast<std::uint32_t>(rgb[0]) << 16 | static_cast<std::uint32_t>(rgb[1]) << 8 | rgb[2];
+    }
+  }
+}
+
+Image to_image(cairo_surface_t* surface) {
+  Image image{cairo_image_surface_get_width(surface), cairo_image_surface_get_height(surface), {}};
+  image.rgb.reserve(image.row_bytes() * image.height);
+  for (int y = 0; y < image.height; ++y) {
+    const std::uint32_t* pixel = row_of(surface, y);
+    for (int x = 0; x < image.width; ++x, ++pixel) {
+      for (const int shift : {16, 8, 0}) image.rgb.push_back(static_cast<std::uint8_t>(*pixel >> shift));
+    }
+  }
+  return image;
+}
+
+void draw_caption(cairo_t* context, const std::string& caption, double center, double baseline) {
+  cairo_text_extents_t extents;
+  cairo_text_extents(context, caption.c_str(), &extents);
+  cairo_move_to(context, center - extents.x_advance / 2, baseline);
+  cairo_show_text(context, caption.c_str());
+}
+
+}  // namespace
+
+Image make_contact_sheet(const std::vector<SheetPanel>& panels, const SheetLayout& layout) {
+  if (panels.empty() || layout.columns < 1) throw RenderError("a contact sheet needs a picture and a column");
+  const int count = static_cast<int>(panels.size()), columns = std::min(layout.columns, count);
+  const int rows = (count + columns - 1) / columns;
+  int width = 0, height = 0;
+  for (const auto& panel : panels) {
+    width = std::max(width, panel.image.width);
+    height = std::max(height, panel.image.height);
+  }
+  const int caption_height = layout.caption_size * 3 / 2;
+  const int step_x = width + layout.margin, step_y = height + caption_height + layout.margin;
+
+  const Surface surface(
+      cairo_image_surface_create(CAIRO_FORMAT_RGB24, layout.margin + columns * step_x, layout.margin + rows * step_y),
+      cairo_surface_destroy);
+  if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS) {
+    throw RenderError(fmt::format("a contact sheet of {}x{} panels is too large", columns, rows));
+  }
+  const Context context(cairo_create(surface.get()), cairo_destroy);
+  cairo_set_source_rgb(context.get(), 1, 1, 1);
+  cairo_paint(context.get());
+  cairo_set_source_rgb(context.get(), 0.1, 0.11, 0.13);
+  cairo_select_font_face(context.get(), "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+  cairo_set_font_size(context.get(), layout.caption_size);
+  for (int i = 0; i < count; ++i) {
+    const auto& [image, caption] = panels[i];
+    const int left = layout.margin + i % columns * step_x + (width - image.width) / 2;
+    const int top = layout.margin + i / columns * step_y;
+    cairo_surface_flush(surface.get());
+    copy_panel(image, surface.get(), left, top);
+    cairo_surface_mark_dirty(surface.get());
+    if (layout.caption_size == 0) continue;
+    draw_caption(context.get(), caption, left + image.width / 2.0, top + height + 1.15 * layout.caption_size);
+  }
+  cairo_surface_flush(surface.get());
+  return to_image(surface.get());
+}
+
+}  // namespace netpocket

@@ -1,0 +1,156 @@
+#include "render/output/export_vtp.h"
+
+#include <fmt/format.h>
+#include <vtkAppendPolyData.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkFloatArray.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include <fstream>
+
+#include "render/output/whole_file.h"
+#include "render/render_error.h"
+#include "render/scene/body_mesh.h"
+#include "render/scene/element_curve.h"
+
+namespace netpocket {
+namespace {
+
+template <typename Array>
+vtkSmartPointer<Array> make_array(const char* name, int components, vtkIdType tuples) {
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(tuples);
+  return array;
+}
+
+void set_column(vtkFloatArray& array, vtkIdType tuple, const Eigen::Vector3d& value) {
+  array.SetTuple(tuple, value.data());
+}
+
+// Positions and velocities along the elements, a line for each.
+void add_curves(const Structure& structure, const Snapshot& snapshot, const ElementCurve& curve, vtkPolyData& mesh) {
+  const int points_each = curve.point_count();
+  const auto point_count = static_cast<vtkIdType>(structure.elements.size()) * points_each;
+  const auto positions = make_array<vtkFloatArray>("Points", 3, point_count);
+  const auto velocities = make_array<vtkFloatArray>("velocity", 3, point_count);
+  vtkNew<vtkCellArray> lines;
+  vtkIdType point = 0;
+  for (const auto& element : structure.elements) {
+    lines->InsertNextCell(points_each);
+    for (int i = 0; i < points_each; ++i, ++point) {
+      const double s = curve.fraction(i);
+      lines->InsertCellPoint(point);
+      set_column(*positions, point, curve.position(snapshot, element, i));
+      set_column(*velocities, point,
+                 (1 - s) * snapshot.velocities.col(element.node[0]) + s * snapshot.velocities.col(element.node[1]));
+    }
+  }
+  vtkNew<vtkPoints> points;
+  points->SetData(positions);
+  mesh.SetPoints(points);
+  mesh.SetLines(lines);
+  mesh.GetPointData()->AddArray(velocities);
+}
+
+void add_element_data(const Structure& structure, const Snapshot& snapshot, vtkPolyData& mesh) {
+  const auto count = static_cast<vtkIdType>(structure.elements.size());
+  const auto tension = make_array<vtkFloatArray>("tension", 1, count);
+  const auto strain = make_array<vtkFloatArray>("strain", 1, count);
+  const auto kind = make_array<vtkIntArray>("kind", 1, count);
+  const auto thread = make_array<vtkIntArray>("thread", 1, count);
+  for (vtkIdType i = 0; i < count; ++i) {
+    tension->SetValue(i, static_cast<float>(snapshot.tension[i]));
+    strain->SetValue(i, static_cast<float>(snapshot.strain[i]));
+    kind->SetValue(i, static_cast<int>(structure.elements[i].kind));
+    thread->SetValue(i, structure.elements[i].thread);
+  }
+  for (vtkDataArray* array : {static_cast<vtkDataArray*>(tension), static_cast<vtkDataArray*>(strain),
+                              static_cast<vtkDataArray*>(kind), static_cast<vtkDataArray*>(thread)}) {
+    mesh.GetCellData()->AddArray(array);
+  }
+}
+
+vtkSmartPointer<vtkPolyData> line_mesh(const Structure& structure, const Snapshot& snapshot,
+                                       const ElementCurve& curve) {
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  add_curves(structure, snapshot, curve, *mesh);
+  add_element_data(structure, snapshot, *mesh);
+  return mesh;
+}
+
+// The bodies' true surfaces at their poses.
+vtkSmartPointer<vtkPolyData> body_meshes(const Structure& structure, const Snapshot& snapshot) {
+  vtkNew<vtkAppendPolyData> append;
+  for (std::size_t i = 0; i < structure.bodies.size(); ++i) {
+    const auto mesh = plain_shape_mesh(structure.bodies[i].shape);
+    const auto& state = snapshot.bodies[i];
+    for (vtkIdType point = 0; point < mesh->GetNumberOfPoints(); ++point) {
+      const Eigen::Vector3d in_body = Eigen::Map<const Eigen::Vector3d>(mesh->GetPoint(point));
+      const Eigen::Vector3d in_world = state.position + state.attitude * in_body;
+      mesh->GetPoints()->SetPoint(point, in_world.data());
+    }
+    const auto index = make_array<vtkIntArray>("body", 1, mesh->GetNumberOfCells());
+    index->FillValue(static_cast<int>(i));
+    mesh->GetCellData()->AddArray(index);
+    append->AddInputData(mesh);
+  }
+  append->Update();
+  return append->GetOutput();
+}
+
+void write_vtp(vtkPolyData* mesh, const std::string& path) {
+  WholeFile file(path);
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetFileName(file.temporary_path().c_str());
+  writer->SetInputData(mesh);
+  if (!writer->Write()) throw RenderError(fmt::format("cannot write {}", path));
+  file.commit();
+}
+
+void write_text(const std::string& text, const std::string& path) {
+  WholeFile file(path);
+  std::ofstream stream(file.temporary_path());
+  stream << text;
+  stream.close();
+  if (!stream) throw RenderError(fmt::format("cannot write {}", path));
+  file.commit();
+}
+
+}  // namespace
+
+RenderOutcome export_vtp(const Recording& recording, const std::string& folder, const VtpOptions& options,
+                         const RenderProgressCallback& progress, const std::stop_token& stop) {
+  if (options.segments < 1) throw RenderError("an element needs at least one segment");
+  make_folder(folder);
+  const auto& structure = recording.structure();
+  const ElementCurve curve(options.segments);
+  const ProgressMeter meter(recording.frame_count(), progress);
+  std::string entries;
+  std::size_t frame = 0;
+  for (; frame < recording.frame_count() && !stop.stop_requested(); ++frame) {
+    const auto snapshot = recording.frame(frame);
+    const auto lines = fmt::format("lines_{:04}.vtp", frame), bodies = fmt::format("bodies_{:04}.vtp", frame);
+    write_vtp(line_mesh(structure, snapshot, curve), folder + "/" + lines);
+    if (!structure.bodies.empty()) write_vtp(body_meshes(structure, snapshot), folder + "/" + bodies);
+    entries += fmt::format("    <DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", snapshot.time, lines);
+    if (!structure.bodies.empty()) {
+      entries += fmt::format("    <DataSet timestep=\"{}\" part=\"1\" file=\"{}\"/>\n", snapshot.time, bodies);
+    }
+    meter.report(frame + 1);
+  }
+  write_text(fmt::format("<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n{}"
+                         "  </Collection>\n</VTKFile>\n",
+                         entries),
+             folder + "/netpocket.pvd");
+  return frame == recording.frame_count() ? RenderOutcome::finished : RenderOutcome::cancelled;
+}
+
+}  // namespace netpocket

@@ -1,0 +1,22 @@
+#pragma once
+// A recorded run for ParaView: netpocket.pvd and, for each frame, lines_0000.vtp (cords and rods) and bodies_0000.vtp.
+// Errors: RenderError or RecordingError with one sentence. Whatever happens, only whole files are left.
+
+#include <stop_token>
+#include <string>
+
+#include "engine/recording/recording.h"
+#include "render/output/render_progress.h"
+
+namespace netpocket {
+
+struct VtpOptions {
+  int segments = 1;  // straight pieces of an element; more follow its cubic curve
+};
+
+// Lines carry tension (N), strain (Green), kind (0 net, 1 rod, 2 closing rope, 3 cable) and thread by element and
+// velocity (m/s) by point; bodies carry their index in `body`. Positions in m, world frame.
+RenderOutcome export_vtp(const Recording& recording, const std::string& folder, const VtpOptions& options = {},
+                         const RenderProgressCallback& progress = {}, const std::stop_token& stop = {});
+
+}  // namespace netpocket

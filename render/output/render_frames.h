@@ -1,0 +1,31 @@
+#pragma once
+// Pictures, a video and a contact sheet of a recorded run: what `netpocket render` and the workbench call.
+// Thread contract: any one thread; progress is reported on it. Memory does not grow with the number of frames.
+// Errors: RenderError or RecordingError with one sentence. Whatever happens, only whole files are left.
+
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "render/output/render_progress.h"
+#include "render/output/run_renderer.h"
+
+namespace netpocket {
+
+struct RenderOptions {
+  RunView view;
+  std::string folder;      // of 0000.png, 0001.png, ...; made if need be; empty: no pictures
+  std::string video;       // an .mp4 file; empty: none
+  double video_rate = 25;  // frames per second of the video
+};
+
+// One picture for each time (s), of the recorded frame nearest to it. When stopped, the pictures finished so far stay,
+// the video does not.
+RenderOutcome render_frames(const Recording& recording, const std::vector<double>& times, const RenderOptions& options,
+                            const RenderProgressCallback& progress = {}, const std::stop_token& stop = {});
+
+// Times from the start to the end of a recording, `rate` a simulated second. Throws RenderError unless the rate is
+// positive.
+std::vector<double> frame_times(const Recording& recording, double rate);
+
+}  // namespace netpocket
