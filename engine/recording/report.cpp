@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "engine/recording/run_history.h"
+
 namespace netpocket {
 
 namespace {
@@ -75,7 +77,7 @@ std::string summary_text(const Recording& recording) {
   if (statistics.time_step > 0) {
     text += line("step", fmt::format("{:.3g} s, limited by {}", statistics.time_step, statistics.step_limit));
   }
-  text += line("captured", s.captured ? "yes" : "no");
+  text += line("captured", s.captured ? "yes" : "no: " + RunHistory(recording).why_not_captured());
   text += line("first contact", s.first_contact_time ? fmt::format("{:.4g} s", *s.first_contact_time) : "none");
   text += fmt::format("{:<15}{:>12}{:>12}{:>12}\n", "on the target", "x", "y", "z");
   const auto row = [&text](const char* label, const Eigen::Vector3d& v, const std::string& remark) {
@@ -84,7 +86,7 @@ std::string summary_text(const Recording& recording) {
   row("peak force", s.peak_force,
       fmt::format("N, y at t = {:.4g} s, means over {:.3g} s", s.peak_time_y, s.averaging_window));
   row("impulse", s.impulse, "N s");
-  text += line("energy error", fmt::format("{:.2g} % of the energy put in", 100 * s.energy_error));
+  text += line("energy error", fmt::format("{:.3g} % of the energy put in", 100 * s.energy_error));
   return text;
 }
 
