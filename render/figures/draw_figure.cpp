@@ -16,7 +16,7 @@ std::string panel_letter(std::size_t index, std::size_t count) {
 
 }  // namespace
 
-void draw_figure(const Figure& figure, cairo_t* context, double width, double height) {
+std::vector<PanelFrame> draw_figure(const Figure& figure, cairo_t* context, double width, double height) {
   cairo_save(context);
   cairo_set_source_rgb(context, 1, 1, 1);
   cairo_rectangle(context, 0, 0, width, height);
@@ -29,10 +29,13 @@ void draw_figure(const Figure& figure, cairo_t* context, double width, double he
   const Box area{style::kOuterMargin, style::kOuterMargin + title_height, width - 2 * style::kOuterMargin,
                  height - 2 * style::kOuterMargin - title_height};
   const std::vector<PanelLayout> layouts = lay_out_panels(figure, context, area);
+  std::vector<PanelFrame> frames;
   for (std::size_t i = 0; i < layouts.size(); ++i) {
     paint_panel(context, figure.panels[i], layouts[i], panel_letter(i, layouts.size()));
+    frames.push_back({layouts[i].frame, layouts[i].x_limits, layouts[i].y_limits});
   }
   cairo_restore(context);
+  return frames;
 }
 
 }  // namespace netpocket

@@ -10,7 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "render/figures/axis_ticks.h"
 #include "render/figures/palette.h"
+#include "render/figures/polyline.h"
 
 namespace netpocket {
 
@@ -62,10 +64,17 @@ struct Figure {
   double height() const { return height_mm * 72 / 25.4; }  // points
 };
 
+// Where a panel was drawn: its frame in the context's user space, and what the frame's edges stand for.
+struct PanelFrame {
+  Box box;
+  AxisLimits x;
+  AxisLimits y;
+};
+
 // Draws the figure on a white ground into the rectangle (0, 0, width, height) of the context's user space, whose unit
 // is taken as one point: text keeps its size, the panels fill what is left. For a screen, cairo_scale() first. The
 // context's state is restored. Works on any Cairo surface; on image surfaces long curves are reduced to what the pixels
-// can show. Thread contract: one thread at a time per context.
-void draw_figure(const Figure& figure, cairo_t* context, double width, double height);
+// can show. Returns the frames of the panels, for cursors. Thread contract: one thread at a time per context.
+std::vector<PanelFrame> draw_figure(const Figure& figure, cairo_t* context, double width, double height);
 
 }  // namespace netpocket
