@@ -502,6 +502,36 @@ void CableSystem::set_friction(double coefficient) { impl_->contacts.set_frictio
 const Eigen::Vector3d& CableSystem::contact_impulse(std::int32_t body) const { return impl_->impulses[body]; }
 double CableSystem::take_deepest_penetration() { return std::exchange(impl_->deepest_penetration, 0.0); }
 
+void CableSystem::visit_state(const std::function<void(double&)>& visit) {
+  Impl& s = *impl_;
+  const auto visit_vector = [&](auto&& v) {
+    for (Eigen::Index i = 0; i < v.size(); ++i) visit(v[i]);
+  };
+  for (SlotVectors* vectors : {&s.coordinates, &s.velocities}) {
+    for (std::int32_t slot = 0; slot < s.layout.size(); ++slot) {
+      Eigen::Vector3d value = vectors->get(slot);
+      visit_vector(value);
+      vectors->set(slot, value);
+    }
+  }
+  for (DynamicBody& body : s.bodies) {
+    RigidBodyState state = body.rigid().state();
+    visit_vector(state.position);
+    visit_vector(state.velocity);
+    visit_vector(state.attitude.coeffs());
+    visit_vector(state.angular_momentum);
+    body.rigid().set_state(state);
+  }
+  for (Eigen::Vector3d& impulse : s.impulses) visit_vector(impulse);
+  double steps = static_cast<double>(s.steps);
+  for (double* value : {&s.time, &s.last_dt, &steps, &s.input_work, &s.dissipated, &s.initial_energy,
+                        &s.initial_load_work, &s.deepest_penetration}) {
+    visit(*value);
+  }
+  s.steps = static_cast<std::int64_t>(steps);
+  s.contacts.forget_candidates();
+}
+
 EnergyAudit CableSystem::audit() {
   impl_->compute_forces(impl_->last_dt > 0 ? impl_->last_dt : 1e-4);
   return impl_->audit();

@@ -9,6 +9,7 @@
 // Thread contract: one thread at a time per object. With options.threads > 1 a step uses that many threads inside; the
 // result is the same to the last bit for any number.
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -75,6 +76,10 @@ class CableSystem {
   const Eigen::Vector3d& contact_impulse(std::int32_t body) const;
   // Deepest penetration (m) since the previous call.
   double take_deepest_penetration();
+
+  // Gives every number of the state to `visit`, always in the same order, which may read it or replace it: saving and
+  // restoring are the same walk. A system restored from another's state continues to the last bit as that one does.
+  void visit_state(const std::function<void(double&)>& visit);
 
   // Energies now. Evaluates the forces once; does not change the motion.
   EnergyAudit audit();

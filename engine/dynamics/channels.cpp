@@ -122,4 +122,9 @@ void ChannelRecorder::fill(Snapshot& snapshot, const Structure& structure, Cable
   set(Channel::time_step, time_step);
 }
 
+void ChannelRecorder::visit_state(const std::function<void(double&)>& visit) {
+  visit(last_time_);
+  for (double& component : last_impulse_) visit(component);
+}
+
 }  // namespace netpocket

@@ -1,6 +1,8 @@
 #pragma once
 // Fills the scalar channels of a snapshot from its state.
 
+#include <functional>
+
 #include "engine/dynamics/cable_system.h"
 #include "engine/pocket/pocket.h"
 
@@ -13,6 +15,9 @@ class ChannelRecorder {
 
   // `snapshot` holds everything but its channels, captured from `system` just now.
   void fill(Snapshot& snapshot, const Structure& structure, CableSystem& system, double time_step);
+
+  // Every number of the state, as in CableSystem::visit_state.
+  void visit_state(const std::function<void(double&)>& visit);
 
  private:
   std::int32_t spacecraft_, target_;

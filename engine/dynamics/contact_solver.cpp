@@ -135,6 +135,11 @@ void ContactSolver::survey(const SlotVectors& coordinates, const SlotVectors& ve
   }
 }
 
+void ContactSolver::forget_candidates() {
+  steps_to_survey_ = 0;
+  broad_phase_.advance(std::numeric_limits<double>::infinity());
+}
+
 void ContactSolver::find(const SlotVectors& coordinates, const std::vector<double>& element_length,
                          const std::vector<DynamicBody>& bodies) {
   contacts_.clear();

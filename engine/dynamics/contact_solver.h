@@ -26,6 +26,8 @@ class ContactSolver {
  public:
   ContactSolver(const Model& model, const SlotLayout& layout, std::span<const double> mass);
 
+  // To be called when positions have changed other than by steps: candidates are looked for anew.
+  void forget_candidates();
   void set_friction(double coefficient) { settings_.friction = coefficient; }
 
   // Finds the contacts at this state and adds their forces on slots to `applied` and on bodies to `wrenches` (by body,

@@ -8,12 +8,15 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <stdexcept>
 
 #include "engine/bodies/symmetric_algebra.h"
 #include "engine/dynamics/cable_system.h"
 #include "engine/dynamics/channels.h"
 #include "engine/dynamics/towing.h"
 #include "engine/pocket/pocket.h"
+#include "engine/scenario/closing_law.h"
+#include "engine/scenario/parameters.h"
 
 namespace netpocket {
 namespace {
@@ -40,6 +43,35 @@ double total_mass(const Model& model) {
   double mass = model.cable_mass();
   for (const ModelBody& body : model.bodies) mass += body.mass;
   return mass;
+}
+
+// Parameters that a run can change on its way.
+bool acts_at_once(std::string_view key) {
+  if (key == "closing.elements") return false;
+  return key.starts_with("closing.") || key.starts_with("towing.") || key == "contact.friction" ||
+         key == "spacecraft.station_keeping" || key == "output.end_time";
+}
+
+// A closing law that takes over from a motion at time `now`: the new law plus what length and speed differ by, which
+// fades within half a second by the quintic that starts with that difference and rate and ends at rest.
+std::function<RopeMotion(double)> blended_closing(const ClosingSchedule& schedule, const RopeMotion& before,
+                                                  double now) {
+  constexpr double kFade = 0.5;  // s
+  const ClosingState start = schedule.at(now);
+  const double gap = before.length - start.length, gap_rate = (before.rate - start.speed) * kFade;
+  return [=](double time) {
+    const ClosingState state = schedule.at(time);
+    RopeMotion motion{state.length, state.speed, state.acceleration};
+    const double s = (time - now) / kFade;
+    if (s < 0 || s >= 1) return motion;
+    // Hermite quintics with value 1 or slope 1 at s = 0 and nothing else at either end.
+    const double s2 = s * s, s3 = s2 * s, s4 = s3 * s, s5 = s4 * s;
+    motion.length += gap * (1 - 10 * s3 + 15 * s4 - 6 * s5) + gap_rate * (s - 6 * s3 + 8 * s4 - 3 * s5);
+    motion.rate += (gap * (-30 * s2 + 60 * s3 - 30 * s4) + gap_rate * (1 - 18 * s2 + 32 * s3 - 15 * s4)) / kFade;
+    motion.acceleration +=
+        (gap * (-60 * s + 180 * s2 - 120 * s3) + gap_rate * (-36 * s + 96 * s2 - 60 * s3)) / (kFade * kFade);
+    return motion;
+  };
 }
 
 }  // namespace
@@ -92,6 +124,40 @@ struct Simulation::Impl {
     const VariableRope& rope = pocket.model.ropes.front();
     const double length = rope.motion(time).length / static_cast<double>(rope.elements.size());
     return scenario.solver.safety * std::min(stable.step, rope_wave_step * length);
+  }
+
+  // Goes over to the laws of another scenario at the present time.
+  void adopt(const Scenario& next) {
+    const bool closing_changes = std::ranges::any_of(
+        parameters(), [&](const Parameter& p) { return p.group() == "closing" && !(p.get(next) == p.get(scenario)); });
+    scenario = next;
+    drive.change(next.towing, next.spacecraft.station_keeping);
+    system.set_friction(next.contact.friction);
+    if (closing_changes) change_closing();
+  }
+
+  void change_closing() {
+    std::vector<VariableRope>& ropes = pocket.model.ropes;
+    const double open = ropes.front().motion(0).length;
+    const RopeMotion before = ropes.front().motion(system.time());
+    const auto motion = blended_closing(ClosingSchedule(scenario.closing, open), before, system.time());
+    for (VariableRope& rope : ropes) rope.motion = motion;
+    system.set_rope_motion(motion);
+  }
+
+  void visit_state(const std::function<void(double&)>& visit) {
+    system.visit_state(visit);
+    channels.visit_state(visit);
+    drive.visit_state(visit);
+    const auto visit_count = [&](std::int64_t& count) {
+      double value = static_cast<double>(count);
+      visit(value);
+      count = static_cast<std::int64_t>(value);
+    };
+    visit_count(interval);
+    visit_count(interval_steps);
+    visit_count(steps_in_interval);
+    for (double* value : {&time_step, &smallest_step, &wall, &cpu}) visit(*value);
   }
 
   // Divides the output interval that begins now into equal steps.
@@ -163,6 +229,35 @@ Snapshot Simulation::snapshot() {
   impl_->system.capture(result);
   impl_->channels.fill(result, structure(), impl_->system, impl_->time_step);
   return result;
+}
+
+std::vector<std::string> Simulation::change_strategy(const Scenario& wanted) {
+  std::vector<std::string> need_restart;
+  Scenario next = scenario();
+  for (const Parameter& parameter : parameters()) {
+    if (parameter.get(wanted) == parameter.get(next)) continue;
+    if (acts_at_once(parameter.key)) {
+      parameter.set(next, parameter.get(wanted));
+    } else {
+      need_restart.emplace_back(parameter.key);
+    }
+  }
+  impl_->adopt(next);
+  return need_restart;
+}
+
+std::vector<double> Simulation::checkpoint() const {
+  std::vector<double> state;
+  impl_->visit_state([&](double& value) { state.push_back(value); });
+  return state;
+}
+
+void Simulation::restore(std::span<const double> state) {
+  if (state.size() != checkpoint().size()) {
+    throw std::invalid_argument("the saved state does not belong to this scenario: it has another size");
+  }
+  std::size_t next = 0;
+  impl_->visit_state([&](double& value) { value = state[next++]; });
 }
 
 RunStatistics Simulation::statistics() const {

@@ -5,7 +5,10 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <stop_token>
+#include <string>
+#include <vector>
 
 #include "engine/recording/run_status.h"
 #include "engine/recording/snapshot.h"
@@ -36,6 +39,16 @@ class Simulation {
 
   // The state now. Averages in its channels (contact force) run since the previous call.
   Snapshot snapshot();
+
+  // Lets the strategy of another scenario act from now on: closing, towing, station keeping, contact friction and the
+  // end time. The rope length goes over to the new law smoothly within half a second. Returns the keys of parameters
+  // that differ besides these: they need a new Simulation.
+  std::vector<std::string> change_strategy(const Scenario& scenario);
+
+  // The complete state as numbers, and back: a Simulation of the same scenario and the same changes of strategy
+  // continues from it to the last bit. Throws std::invalid_argument when the size does not fit.
+  std::vector<double> checkpoint() const;
+  void restore(std::span<const double> state);
 
   RunStatistics statistics() const;  // wall and cpu seconds are those spent in advance()
 

@@ -24,6 +24,11 @@ double thrust_profile(double elapsed, double duration) {
 SpacecraftDrive::SpacecraftDrive(const TowingParameters& towing, StationKeeping station_keeping, double total_mass)
     : towing_(towing), station_keeping_(station_keeping), total_mass_(total_mass) {}
 
+void SpacecraftDrive::change(const TowingParameters& towing, StationKeeping station_keeping) {
+  towing_ = towing;
+  station_keeping_ = station_keeping;
+}
+
 BodyControl SpacecraftDrive::at(double time, double velocity_y) {
   BodyControl control;
   control.hold_attitude = station_keeping_ != StationKeeping::free;

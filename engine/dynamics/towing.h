@@ -1,6 +1,8 @@
 #pragma once
 // What drives the spacecraft: towing and station keeping, as the scenario says.
 
+#include <functional>
+
 #include "engine/dynamics/dynamic_body.h"
 #include "engine/scenario/scenario.h"
 
@@ -19,6 +21,10 @@ namespace netpocket {
 class SpacecraftDrive {
  public:
   SpacecraftDrive(const TowingParameters& towing, StationKeeping station_keeping, double total_mass);
+
+  // Changes what will be done from now on.
+  void change(const TowingParameters& towing, StationKeeping station_keeping);
+  void visit_state(const std::function<void(double&)>& visit) { visit(velocity_at_start_); }
 
   // Control at `time` (s); `velocity_y` (m/s) is the spacecraft's now.
   BodyControl at(double time, double velocity_y);
