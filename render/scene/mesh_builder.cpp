@@ -4,8 +4,9 @@
 #include <vtkPoints.h>
 
 #include <Eigen/Geometry>
-#include <array>
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 #include <vector>
 
@@ -51,15 +52,31 @@ void MeshBuilder::add_patch(int columns, int rows, const std::function<SurfaceVe
     for (int column = 0; column < columns; ++column) {
       const vtkIdType lower = first + row * (columns + 1) + column;
       const vtkIdType upper = lower + columns + 1;
-      polygons_->InsertNextCell({lower, lower + 1, upper + 1, upper});
+      add_quad(lower, lower + 1, upper + 1, upper);
     }
   }
 }
 
-void MeshBuilder::add_polygon(std::span<const Eigen::Vector3d> corners) {
+void MeshBuilder::add_quad(vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType d) {
+  const auto vector = [](vtkFloatArray& array, vtkIdType id) {
+    return Eigen::Vector3d(Eigen::Map<const Eigen::Vector3d>(array.GetTuple3(id)));
+  };
+  // By the diagonals: one side may have no length, at the pole of a sphere.
+  const Eigen::Vector3d first = vector(*positions_, c) - vector(*positions_, a);
+  const Eigen::Vector3d second = vector(*positions_, d) - vector(*positions_, b);
+  if (first.cross(second).dot(vector(*normals_, a)) < 0) {
+    polygons_->InsertNextCell({a, d, c, b});
+  } else {
+    polygons_->InsertNextCell({a, b, c, d});
+  }
+}
+
+void MeshBuilder::add_polygon(std::span<const Eigen::Vector3d> corners, const Eigen::Vector3d& inside) {
   const Eigen::Vector3d normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
+  const double outwards = normal.dot(corners[0] - inside) < 0 ? -1 : 1;
   std::vector<vtkIdType> ids;
-  for (const auto& position : corners) ids.push_back(add_point(position, normal));
+  for (const auto& position : corners) ids.push_back(add_point(position, outwards * normal));
+  if (outwards < 0) std::ranges::reverse(ids);
   polygons_->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
 }
 
@@ -74,22 +91,23 @@ void MeshBuilder::add_box(const Eigen::Vector3d& center, const Eigen::Vector3d& 
     inset[axis] = 0;
     return Eigen::Vector3d(center + corner(half - inset, x, y, z));
   };
+  const auto add = [&](std::initializer_list<Eigen::Vector3d> corners) {
+    add_polygon({corners.begin(), corners.end()}, center);
+  };
   for (const int s : {-1, 1}) {
-    add_polygon(std::array{pulled(0, s, -s, -1), pulled(0, s, s, -1), pulled(0, s, s, 1), pulled(0, s, -s, 1)});
-    add_polygon(std::array{pulled(1, -1, s, -s), pulled(1, -1, s, s), pulled(1, 1, s, s), pulled(1, 1, s, -s)});
-    add_polygon(std::array{pulled(2, -s, -1, s), pulled(2, s, -1, s), pulled(2, s, 1, s), pulled(2, -s, 1, s)});
+    add({pulled(0, s, -1, -1), pulled(0, s, 1, -1), pulled(0, s, 1, 1), pulled(0, s, -1, 1)});
+    add({pulled(1, -1, s, -1), pulled(1, -1, s, 1), pulled(1, 1, s, 1), pulled(1, 1, s, -1)});
+    add({pulled(2, -1, -1, s), pulled(2, 1, -1, s), pulled(2, 1, 1, s), pulled(2, -1, 1, s)});
   }
   if (bevel <= 0) return;
   const auto face_color = color_;
   set_color(edge_color);
   for (const int s : {-1, 1}) {
     for (const int t : {-1, 1}) {
-      add_polygon(std::array{pulled(0, s, t, -1), pulled(0, s, t, 1), pulled(1, s, t, 1), pulled(1, s, t, -1)});
-      add_polygon(std::array{pulled(1, -1, s, t), pulled(1, 1, s, t), pulled(2, 1, s, t), pulled(2, -1, s, t)});
-      add_polygon(std::array{pulled(0, s, -1, t), pulled(0, s, 1, t), pulled(2, s, 1, t), pulled(2, s, -1, t)});
-      for (const int u : {-1, 1}) {
-        add_polygon(std::array{pulled(0, s, t, u), pulled(1, s, t, u), pulled(2, s, t, u)});
-      }
+      add({pulled(0, s, t, -1), pulled(0, s, t, 1), pulled(1, s, t, 1), pulled(1, s, t, -1)});
+      add({pulled(1, -1, s, t), pulled(1, 1, s, t), pulled(2, 1, s, t), pulled(2, -1, s, t)});
+      add({pulled(0, s, -1, t), pulled(0, s, 1, t), pulled(2, s, 1, t), pulled(2, s, -1, t)});
+      for (const int u : {-1, 1}) add({pulled(0, s, t, u), pulled(1, s, t, u), pulled(2, s, t, u)});
     }
   }
   color_ = face_color;
@@ -111,10 +129,9 @@ void MeshBuilder::add_cylinder(const Eigen::Vector3d& from, const Eigen::Vector3
   for (const bool end : {false, true}) {
     std::vector<Eigen::Vector3d> rim;
     for (int i = 0; i < sides; ++i) {
-      const double u = static_cast<double>(end ? i : sides - i) / sides;
-      rim.push_back((end ? to : from) + (end ? radius_to : radius_from) * radial(u));
+      rim.push_back((end ? to : from) + (end ? radius_to : radius_from) * radial(static_cast<double>(i) / sides));
     }
-    add_polygon(rim);
+    add_polygon(rim, (from + to) / 2);
   }
 }
 

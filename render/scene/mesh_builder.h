@@ -30,8 +30,8 @@ class MeshBuilder {
 
   // A curved piece: a grid of columns x rows quads over (u, v) in [0, 1]^2.
   void add_patch(int columns, int rows, const std::function<SurfaceVertex(double u, double v)>& surface);
-  // A flat convex piece.
-  void add_polygon(std::span<const Eigen::Vector3d> corners);
+  // A flat convex piece that faces away from `inside`.
+  void add_polygon(std::span<const Eigen::Vector3d> corners, const Eigen::Vector3d& inside);
   // A box with edge lengths `size` along the axes, its edges cut off by `bevel` in `edge_color`.
   void add_box(const Eigen::Vector3d& center, const Eigen::Vector3d& size, double bevel, const Color& edge_color);
   void add_box(const Eigen::Vector3d& center, const Eigen::Vector3d& size);
@@ -47,6 +47,8 @@ class MeshBuilder {
 
  private:
   vtkIdType add_point(const Eigen::Vector3d& position, const Eigen::Vector3d& normal);
+  // Counter-clockwise seen from the side that the first corner's normal points to.
+  void add_quad(vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType d);
 
   ByteColor color_{255, 255, 255};
   vtkNew<vtkFloatArray> positions_;
