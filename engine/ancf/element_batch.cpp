@@ -40,7 +40,7 @@ void fill_lane(ElementBlock& block, int lane, const BatchElement& element) {
   block.inverse_length[lane] = 1.0 / element.length;
   block.axial_stiffness[lane] = section.EA;
   block.compression_stiffness[lane] = section.EA * section.compression;
-  block.axial_damping[lane] = section.EA * section.axial_damping;
+  block.axial_damping[lane] = section.axial_damping;
   block.bending_stiffness[lane] = section.EI / element.length;
   block.bending_damping[lane] = section.bending_damping;
   block.length_rate[lane] = 0;

@@ -36,7 +36,7 @@ struct alignas(64) ElementBlock {
   double inverse_length[kBlockSize];
   double axial_stiffness[kBlockSize];        // EA, N
   double compression_stiffness[kBlockSize];  // EA in compression, N
-  double axial_damping[kBlockSize];          // EA c, N s
+  double axial_damping[kBlockSize];          // c, s
   double bending_stiffness[kBlockSize];      // EI/L, N m
   double bending_damping[kBlockSize];        // c, s
   double length_rate[kBlockSize];            // Ldot/L, 1/s

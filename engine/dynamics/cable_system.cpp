@@ -537,7 +537,7 @@ EnergyAudit CableSystem::audit() {
   return impl_->audit();
 }
 
-void CableSystem::capture(Snapshot& snapshot) {
+EnergyAudit CableSystem::capture(Snapshot& snapshot) {
   Impl& s = *impl_;
   s.compute_forces(s.last_dt > 0 ? s.last_dt : 1e-4);
   snapshot.time = s.time;
@@ -565,6 +565,7 @@ void CableSystem::capture(Snapshot& snapshot) {
   snapshot.bodies.clear();
   for (const DynamicBody& body : s.bodies) snapshot.bodies.push_back(body.state());
   snapshot.contacts = s.contacts.contacts();
+  return s.audit();
 }
 
 }  // namespace netpocket

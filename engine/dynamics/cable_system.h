@@ -83,8 +83,8 @@ class CableSystem {
 
   // Energies now. Evaluates the forces once; does not change the motion.
   EnergyAudit audit();
-  // Fills everything but the channels. Evaluates the forces once; does not change the motion.
-  void capture(Snapshot& snapshot);
+  // Fills everything but the channels and returns the energies. Evaluates the forces once; does not change the motion.
+  EnergyAudit capture(Snapshot& snapshot);
 
  private:
   struct Impl;

@@ -65,7 +65,8 @@ bool target_is_inside(const Snapshot& snapshot, const Structure& structure, std:
 
 }  // namespace
 
-void ChannelRecorder::fill(Snapshot& snapshot, const Structure& structure, CableSystem& system, double time_step) {
+void ChannelRecorder::fill(Snapshot& snapshot, const Structure& structure, CableSystem& system,
+                           const EnergyAudit& energy, double time_step) {
   const auto set = [&](Channel c, double value) { snapshot.channel(c) = value; };
   const auto set3 = [&](Channel x, Channel y, Channel z, const Eigen::Vector3d& value) {
     set(x, value.x());
@@ -113,7 +114,6 @@ void ChannelRecorder::fill(Snapshot& snapshot, const Structure& structure, Cable
   set(Channel::closing_tension, rope_elements > 0 ? rope_tension / static_cast<double>(rope_elements) : 0);
   set(Channel::penetration_max, system.take_deepest_penetration());
 
-  const EnergyAudit energy = system.audit();
   set(Channel::energy_kinetic, energy.kinetic);
   set(Channel::energy_strain, energy.strain);
   set(Channel::energy_input, energy.input);

@@ -13,8 +13,9 @@ class ChannelRecorder {
  public:
   explicit ChannelRecorder(const Pocket& pocket) : spacecraft_(pocket.spacecraft), target_(pocket.target) {}
 
-  // `snapshot` holds everything but its channels, captured from `system` just now.
-  void fill(Snapshot& snapshot, const Structure& structure, CableSystem& system, double time_step);
+  // `snapshot` holds everything but its channels, captured from `system` just now together with `energy`.
+  void fill(Snapshot& snapshot, const Structure& structure, CableSystem& system, const EnergyAudit& energy,
+            double time_step);
 
   // Every number of the state, as in CableSystem::visit_state.
   void visit_state(const std::function<void(double&)>& visit);

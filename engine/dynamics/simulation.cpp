@@ -226,8 +226,8 @@ RunStatus Simulation::advance(double until, const std::stop_token& stop) {
 
 Snapshot Simulation::snapshot() {
   Snapshot result;
-  impl_->system.capture(result);
-  impl_->channels.fill(result, structure(), impl_->system, impl_->time_step);
+  const EnergyAudit energy = impl_->system.capture(result);
+  impl_->channels.fill(result, structure(), impl_->system, energy, impl_->time_step);
   return result;
 }
 
