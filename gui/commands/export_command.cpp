@@ -1,0 +1,67 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "engine/recording/csv.h"
+#include "gui/commands/command.h"
+#include "gui/commands/interrupt.h"
+#include "gui/commands/options.h"
+#include "gui/commands/progress_line.h"
+#include "gui/commands/recordings.h"
+#include "render/output/export_vtp.h"
+
+namespace netpocket {
+namespace {
+
+constexpr const char* kHelp = R"(
+--csv writes channels.csv: one row for each recorded frame.
+--vtp writes netpocket.pvd, for ParaView: cords and rods with tension, strain and velocity, and the bodies.
+
+Examples:
+  netpocket export case1.h5 --csv case1
+  netpocket export case1.h5 --vtp case1/paraview
+
+)";
+
+struct ExportChoice {
+  std::string recording;
+  std::string csv;
+  std::string vtp;
+  bool quiet = false;
+};
+
+ExitCode export_series(const Recording& recording, const ExportChoice& choice) {
+  const Interrupt interrupt;
+  ProgressLine line(!choice.quiet);
+  const auto show = [&](const RenderProgress& p) {
+    line.update(static_cast<double>(p.done) / static_cast<double>(p.total),
+                fmt::format("frame {} of {}, {} left", p.done, p.total, duration_text(p.seconds_left)));
+  };
+  const RenderOutcome outcome = export_vtp(recording, choice.vtp, {}, show, interrupt.token());
+  return outcome == RenderOutcome::finished ? ExitCode::ok : ExitCode::interrupted;
+}
+
+ExitCode export_recording(const ExportChoice& choice) {
+  const Recording recording = open_recording(choice.recording);
+  for (const std::string& folder : {choice.csv, choice.vtp}) {
+    if (!folder.empty()) make_output_folder(folder);
+  }
+  if (!choice.csv.empty()) write_channels_csv(recording, choice.csv + "/channels.csv");
+  return choice.vtp.empty() ? ExitCode::ok : export_series(recording, choice);
+}
+
+}  // namespace
+
+Action declare_export(CLI::App& app) {
+  const auto choice = std::make_shared<ExportChoice>();
+  app.add_option("RUN.h5", choice->recording, "recording to export")->required();
+  CLI::Option_group& formats = *app.add_option_group("Formats");
+  formats.add_option("--csv", choice->csv, "folder for channels.csv")->type_name("DIR");
+  formats.add_option("--vtp", choice->vtp, "folder for a series that ParaView opens")->type_name("DIR");
+  formats.require_option(1, 2);
+  app.add_flag("--quiet", choice->quiet, "no progress");
+  app.footer(kHelp + exit_code_help({ExitCode::bad_input, ExitCode::io, ExitCode::rendering, ExitCode::interrupted}));
+  return [choice](const std::string&) { return export_recording(*choice); };
+}
+
+}  // namespace netpocket

@@ -1,0 +1,89 @@
+#include "gui/commands/model_report.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "engine/dynamics/simulation.h"
+#include "engine/pocket/pocket.h"
+#include "engine/scenario/closing_law.h"
+#include "engine/scenario/parameters.h"
+#include "engine/scenario/pocket_outline.h"
+
+namespace netpocket {
+namespace {
+
+// By ElementKind.
+struct Cables {
+  std::array<int, 4> count{};
+  std::array<double, 4> mass{};  // kg
+
+  int count_of(ElementKind kind) const { return count[static_cast<std::size_t>(kind)]; }
+  double mass_of(ElementKind kind) const { return mass[static_cast<std::size_t>(kind)]; }
+};
+
+Cables cables_of(const Model& model) {
+  Cables cables;
+  for (const ModelElement& element : model.elements) {
+    const auto kind = static_cast<std::size_t>(element.kind);
+    ++cables.count[kind];
+    cables.mass[kind] += element.length * model.materials[element.material].section.mass_per_length;
+  }
+  return cables;
+}
+
+std::string line(const char* label, const std::string& value) { return fmt::format("{:<15}{}\n", label, value); }
+
+std::string choice_text(const Scenario& scenario, std::string_view key) {
+  const Parameter& parameter = *find_parameter(key);
+  return std::string(parameter.choices[std::get<Choice>(parameter.get(scenario)).index]);
+}
+
+std::string masses(const Model& model, const Cables& cables) {
+  std::string text = fmt::format("net {:.3g}, rods {:.3g}, closing ropes {:.3g}", cables.mass_of(ElementKind::net),
+                                 cables.mass_of(ElementKind::rod), cables.mass_of(ElementKind::closing_rope));
+  for (const ModelBody& body : model.bodies) text += fmt::format(", {} {:g}", body.name, body.mass);
+  return text + " kg";
+}
+
+std::string closing(const Scenario& scenario) {
+  const ClosingSchedule schedule(scenario.closing, open_tip_distance(scenario));
+  return fmt::format("{:.4g} m to {:.4g} m between rod tips, from t = {:g} s to {:g} s ({})", schedule.open_length(),
+                     schedule.closed_length(), schedule.start(), schedule.end(), choice_text(scenario, "closing.law"));
+}
+
+std::string towing(const Scenario& scenario) {
+  const std::string mode = choice_text(scenario, "towing.mode");
+  if (scenario.towing.mode == TowingMode::none) return mode;
+  return fmt::format("from t = {:g} s ({})", scenario.towing.start, mode);
+}
+
+}  // namespace
+
+std::string model_report(const Scenario& scenario) {
+  const Simulation simulation(scenario);
+  const RunStatistics statistics = simulation.statistics();
+  const Pocket pocket = build_pocket(scenario);
+  const Cables cables = cables_of(pocket.model);
+  const double frames = std::ceil(scenario.output.end_time * scenario.output.frame_rate);
+  const double steps = frames * std::ceil(1 / (scenario.output.frame_rate * statistics.time_step));
+
+  std::string text = line("scenario", scenario.name);
+  text += line("nodes", fmt::format("{}", simulation.structure().node_count));
+  text += line("elements", fmt::format("{}: net {}, rods {}, closing ropes {}", statistics.elements,
+                                       cables.count_of(ElementKind::net), cables.count_of(ElementKind::rod),
+                                       cables.count_of(ElementKind::closing_rope)));
+  text += line("coordinates", fmt::format("{}", statistics.coordinates));
+  text += line("evaluation", statistics.evaluation);
+  text += line("masses", masses(pocket.model, cables));
+  text += line("closing", closing(scenario));
+  text += line("towing", towing(scenario));
+  text +=
+      line("step", fmt::format("{:.4g} s at the start, limited by {}", statistics.time_step, statistics.step_limit));
+  text +=
+      line("steps", fmt::format("about {:.0f} for {:g} s, {:.0f} frames", steps, scenario.output.end_time, frames + 1));
+  return text;
+}
+
+}  // namespace netpocket

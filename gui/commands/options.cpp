@@ -1,0 +1,131 @@
+#include "gui/commands/options.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+
+#include "engine/scenario/check_scenario.h"
+#include "engine/scenario/read_scenario.h"
+#include "gui/commands/command.h"
+#include "gui/commands/spelling.h"
+
+namespace netpocket {
+namespace {
+
+// The number that the whole text is, if it is one.
+template <typename Number>
+std::optional<Number> parse(const std::string& text) {
+  Number value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+void require_ok(const Diagnostics& diagnostics, const std::string& file) {
+  if (diagnostics.ok()) return;
+  Diagnostics named;
+  for (Diagnostic diagnostic : diagnostics.list()) {
+    if (diagnostic.file.empty()) diagnostic.file = file;
+    named.add(std::move(diagnostic));
+  }
+  throw CommandError(ExitCode::bad_input, named.text());
+}
+
+[[noreturn]] void fail_to_write(const std::string& path, const std::error_code& error) {
+  throw CommandError(ExitCode::io, fmt::format("cannot write \"{}\": {}", path, error.message()));
+}
+
+void require_access(const std::string& folder, int mode, const std::string& path) {
+  if (access(folder.c_str(), mode) != 0) fail_to_write(path, std::error_code(errno, std::generic_category()));
+}
+
+}  // namespace
+
+CLI::Validator one_of(const std::vector<std::string>& names) {
+  const std::string list = fmt::format("{}", fmt::join(names, "|"));
+  const auto check = [names, list](const std::string& text) -> std::string {
+    if (std::find(names.begin(), names.end(), text) != names.end()) return {};
+    const std::string near = suggestion(text, names);
+    return fmt::format("unknown name \"{}\"{}", text, near.empty() ? "; use " + list : near);
+  };
+  return {check, list, "one_of"};
+}
+
+CLI::Validator positive_number() {
+  const auto check = [](const std::string& text) -> std::string {
+    const auto value = parse<double>(text);
+    return value && std::isfinite(*value) && *value > 0 ? "" : fmt::format("\"{}\" is not a number above 0", text);
+  };
+  return {check, "", "positive_number"};
+}
+
+CLI::Validator number_not_below_zero() {
+  const auto check = [](const std::string& text) -> std::string {
+    const auto value = parse<double>(text);
+    return value && std::isfinite(*value) && *value >= 0 ? "" : fmt::format("\"{}\" is not a number from 0", text);
+  };
+  return {check, "", "number_not_below_zero"};
+}
+
+CLI::Validator whole_number(int lowest, int highest) {
+  const auto check = [=](const std::string& text) -> std::string {
+    const auto value = parse<int>(text);
+    if (value && *value >= lowest && *value <= highest) return {};
+    return fmt::format("\"{}\" is not a whole number from {} to {}", text, lowest, highest);
+  };
+  return {check, "", "whole_number"};
+}
+
+std::optional<PictureSize> picture_size(const std::string& text) {
+  constexpr int kSmallest = 16, kLargest = 16384;
+  const std::size_t cross = text.find('x');
+  if (cross == std::string::npos) return std::nullopt;
+  const auto width = parse<int>(text.substr(0, cross)), height = parse<int>(text.substr(cross + 1));
+  const auto fits = [](const auto& side) { return side && *side >= kSmallest && *side <= kLargest; };
+  if (!fits(width) || !fits(height)) return std::nullopt;
+  return PictureSize{*width, *height};
+}
+
+CLI::Validator is_picture_size() {
+  const auto check = [](const std::string& text) -> std::string {
+    if (picture_size(text)) return {};
+    return fmt::format("\"{}\" is not a size such as 1280x720, from 16x16 to 16384x16384", text);
+  };
+  return {check, "", "is_picture_size"};
+}
+
+void add_scenario_options(CLI::App& app, ScenarioChoice& choice) {
+  app.add_option("SCENARIO", choice.path, "scenario file (TOML); scenarios/REFERENCE.md lists its keys")->required();
+  app.add_option("--set", choice.settings, "set a parameter, e.g. closing.duration=5; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+}
+
+Scenario load_scenario(const ScenarioChoice& choice) {
+  ScenarioResult result = read_scenario_file(choice.path);
+  require_ok(result.diagnostics, choice.path);
+  for (const std::string& setting : choice.settings) require_ok(apply_setting(result.scenario, setting), "--set");
+  require_ok(check_scenario(result.scenario), choice.path);
+  return std::move(result.scenario);
+}
+
+void make_output_folder(const std::string& path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (!error && !std::filesystem::is_directory(path)) error = std::make_error_code(std::errc::not_a_directory);
+  if (error) fail_to_write(path, error);
+  require_access(path, W_OK | X_OK, path);
+}
+
+void require_writable(const std::string& path) {
+  if (std::filesystem::is_directory(path)) fail_to_write(path, std::make_error_code(std::errc::is_a_directory));
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  require_access(folder.empty() ? "." : folder.string(), W_OK | X_OK, path);
+}
+
+}  // namespace netpocket

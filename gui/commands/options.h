@@ -1,0 +1,42 @@
+#pragma once
+// What several commands share: checks of option values, the scenario, and places to write to.
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/scenario/scenario.h"
+
+namespace netpocket {
+
+// Checks for CLI::Option::check; each refuses with a sentence that says what is allowed.
+CLI::Validator one_of(const std::vector<std::string>& names);
+CLI::Validator positive_number();
+CLI::Validator number_not_below_zero();
+CLI::Validator whole_number(int lowest, int highest);
+
+// "1280x720", each side 16 to 16384.
+struct PictureSize {
+  int width = 0;   // pixels
+  int height = 0;  // pixels
+};
+std::optional<PictureSize> picture_size(const std::string& text);
+CLI::Validator is_picture_size();
+
+// Adds the positional SCENARIO and the option --set.
+struct ScenarioChoice {
+  std::string path;
+  std::vector<std::string> settings;  // "key=value"
+};
+void add_scenario_options(CLI::App& app, ScenarioChoice& choice);
+
+// Reads, applies the settings, then checks. Throws CommandError(bad_input) with all problems.
+Scenario load_scenario(const ScenarioChoice& choice);
+
+// Makes the folder when it is missing. Throws CommandError(io), also when nothing can be written there.
+void make_output_folder(const std::string& path);
+// Throws CommandError(io) when no file can be made or replaced at `path`.
+void require_writable(const std::string& path);
+
+}  // namespace netpocket

@@ -1,0 +1,53 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "gui/commands/command.h"
+#include "gui/commands/options.h"
+#include "gui/commands/run_series_of.h"
+#include "render/figures/plot_figures.h"
+
+namespace netpocket {
+namespace {
+
+struct PlotChoice {
+  std::vector<std::string> recordings;
+  std::string output;
+  std::vector<std::string> figures;
+  std::string format = "png";
+};
+
+std::string figure_list() {
+  std::string text = "Figures:\n";
+  for (const std::string& name : figure_names()) text += "  " + name + "\n";
+  return text;
+}
+
+}  // namespace
+
+Action declare_plot(CLI::App& app) {
+  const auto choice = std::make_shared<PlotChoice>();
+  app.add_option("RUN.h5", choice->recordings, "recordings to draw")->required();
+  app.add_option("-o,--output", choice->output, "folder for the figures")->required()->type_name("DIR");
+  app.add_option("--figure", choice->figures, "only this figure; may be repeated (default: all that suit the runs)")
+      ->type_name("NAME")
+      ->allow_extra_args(false)
+      ->check(one_of(figure_names()).description(""));
+  app.add_option("--format", choice->format, "file format")
+      ->check(one_of({"png", "svg", "pdf"}))
+      ->capture_default_str();
+  app.footer("\n" + figure_list() + R"(
+Examples:
+  netpocket plot case1.h5 -o figures
+  netpocket plot case1.h5 case2.h5 case3.h5 -o figures --figure figure09_force --format svg
+
+)" + exit_code_help({ExitCode::bad_input, ExitCode::io, ExitCode::rendering}));
+  return [choice](const std::string&) {
+    const std::vector<RunSeries> runs = run_series_of(choice->recordings);
+    make_output_folder(choice->output);
+    plot_figures(runs, choice->output, {figure_format(choice->format), choice->figures});
+    return ExitCode::ok;
+  };
+}
+
+}  // namespace netpocket
