@@ -1,0 +1,186 @@
+// V5 at system level: contact of whole cables with bodies.
+
+#include "engine/contact/force_law.h"
+#include "tests/engine/dynamics/models.h"
+#include "tests/engine/verification_table.h"
+
+namespace netpocket {
+namespace {
+
+using namespace test;
+
+ModelBody free_sphere(double radius, double mass) {
+  return {.name = "target",
+          .shape = Sphere{radius},
+          .mass = mass,
+          .inertia = 0.4 * mass * radius * radius * Eigen::Matrix3d::Identity(),
+          .state = {}};
+}
+
+// A cord of 3 m that flies at `speed` (m/s, -y) onto a free sphere of 1 m that spins.
+Cable cord_onto_sphere(double speed, double friction, double height = 1.01) {
+  Cable cable = straight_cable(net_cord(), {-1.4, height, 0.2}, {1.6, height, 0.2}, 12);
+  for (ModelNode& node : cable.model.nodes) node.velocity = {0, -speed, 0};
+  cable.model.add_body(free_sphere(1, 2));
+  cable.model.bodies[0].state.angular_velocity = {1, 2, 3};
+  cable.model.contact.friction = friction;
+  return cable;
+}
+
+class VerificationContact : public VerificationTest {};
+
+TEST_F(VerificationContact, ActionEqualsReaction) {
+  for (const double friction : {0.0, 0.4}) {
+    const Cable cable = cord_onto_sphere(3, friction);
+    CableSystem system(cable.model);
+    const double dt = 0.8 * system.stable_step().step;
+    Momentum last = step_and_measure_momentum(system, dt);
+    double linear = 0, angular = 0, force = 0;
+    while (system.time() < 0.3) {
+      const Eigen::Vector3d impulse = system.contact_impulse(0);
+      const Momentum now = step_and_measure_momentum(system, dt);
+      linear = std::max(linear, (now.linear - last.linear).norm() / dt);
+      angular = std::max(angular, (now.angular - last.angular).norm() / dt);
+      force = std::max(force, (system.contact_impulse(0) - impulse).norm() / dt);
+      last = now;
+    }
+    ASSERT_GT(force, 1);
+    const std::string with = friction > 0 ? ", with friction" : ", without friction";
+    expect_below("sum of forces on both partners / largest contact force" + with, linear / force, 1e-8,
+                 "round-off of momentum differences over a step (1e-16/dt^2)");
+    expect_below("sum of moments on both partners / largest contact force x 1 m" + with, angular / force, 1e-8,
+                 "both partners' forces act along one line: round-off of momentum differences over a step");
+  }
+}
+
+// Depth (m) of the deepest point of a cord's nodes under the surface of the body it is shot at, at any time.
+struct Shot {
+  double deepest;
+  bool passed_through;
+};
+Shot shoot(double speed, double height) {
+  const Cable cable = cord_onto_sphere(speed, 0.4, height);
+  CableSystem system(cable.model);
+  const double dt = 0.98 * system.stable_step().step;
+  const double end = 3 * height / speed;
+  Shot shot{0, false};
+  const auto middle = cable.nodes[cable.nodes.size() / 2];
+  while (system.time() < end) {
+    system.step(dt);
+    shot.deepest = std::max(shot.deepest, system.take_deepest_penetration());
+  }
+  EXPECT_FALSE(system.fault()) << *system.fault();
+  // From above: the middle of the cord may not be below the sphere.
+  shot.passed_through = system.position(middle).y() < system.body(0).position.y();
+  return shot;
+}
+
+TEST_F(VerificationContact, NoTunnelling) {
+  // The largest step is 8.5e-5 s, the sphere's radius 1 m. A cord may enter by what it moves in a step, not deeper.
+  for (const double speed : {1.0, 10.0, 100.0, 1000.0, 5000.0}) {
+    double deepest = 0;
+    for (const double height : {1.1, 2.3, 5.7}) {
+      const Shot shot = shoot(speed, height);
+      EXPECT_FALSE(shot.passed_through) << speed << " m/s from " << height << " m";
+      deepest = std::max(deepest, shot.deepest);
+    }
+    expect_below("deepest penetration of a cord at " + std::to_string(static_cast<int>(speed)) + " m/s, m", deepest,
+                 1e-3 + 2.5 * speed * 8.5e-5, "two and a half steps' way and 1 mm: detected in the step it happens");
+  }
+}
+
+// A straight rod of one stiff element above a large box that cannot move.
+struct RodOnTable {
+  RodOnTable(double modulus, double restitution, double friction)
+      : cable(straight_cable({.section = {.EA = 1e6, .EI = 1e4, .mass_per_length = 1},
+                              .radius = 0.01,
+                              .youngs_modulus = modulus,
+                              .poisson_ratio = 0.3},
+                             {-0.5, 0.51, 0}, {0.5, 0.51, 0}, 1)) {
+    Model& model = cable.model;
+    model.add_body({.name = "table",
+                    .shape = Box{{20, 1, 20}},
+                    .mass = 1e9,
+                    .inertia = 1e9 * Eigen::Matrix3d::Identity(),
+                    .state = {},
+                    .youngs_modulus = 1e15});
+    model.contact.restitution = restitution;
+    model.contact.friction = friction;
+  }
+  Eigen::Vector3d centre_velocity(const CableSystem& system) const {
+    return 0.5 * (system.velocity(cable.nodes[0]) + system.velocity(cable.nodes[1]));
+  }
+  static void hold(CableSystem& system) { system.control(0, {.velocity = {0.0, 0.0, 0.0}, .hold_attitude = true}); }
+  Cable cable;
+};
+
+TEST_F(VerificationContact, RestitutionOfARod) {
+  for (const auto& [restitution, clipped] : {std::pair{0.5, 0.55028}, {1.0, 1.0}}) {
+    RodOnTable rod(1e3, restitution, 0);
+    for (ModelNode& node : rod.cable.model.nodes) {
+      node.velocity = {0, -0.1, 0};
+      node.position.y() += 1e-6;
+    }
+    CableSystem system(rod.cable.model);
+    const double dt = 0.2 * system.stable_step().step;
+    while (system.time() < 5 && rod.centre_velocity(system).y() < 0) RodOnTable::hold(system), system.step(dt);
+    const double turned = system.time();
+    while (system.time() < 3 * turned) system.step(dt);
+    expect_relative(
+        "rebound of a rod, c_r = " + std::to_string(restitution).substr(0, 3), rod.centre_velocity(system).y() / 0.1,
+        clipped, 2e-2,
+        "Antypov & Elliott (2011) with the adhesive tail cut off (verification.md V5); the rod bends a little");
+  }
+}
+
+TEST_F(VerificationContact, RodAtRestOnATable) {
+  const double modulus = 1e9;
+  RodOnTable rod(modulus, 0.5, 0.4);
+  rod.cable.model.gravity = {0, -9.81, 0};
+  rod.cable.model.materials[0].section.bending_damping = 1e-3;
+  CableSystem system(rod.cable.model);
+  RodOnTable::hold(system);
+  advance(system, 2, 0.5 * system.stable_step().step);
+  Snapshot snapshot;
+  system.capture(snapshot);
+  double force = 0;
+  for (const ContactPoint& contact : snapshot.contacts) force -= contact.force.y();
+  const std::string source = "weight of 1 kg; ";
+  expect_relative("contact force of a rod at rest, N", force, 9.81, 1e-6, source + "equilibrium");
+  expect_below("speed of a rod at rest, m/s", system.velocity(rod.cable.nodes[0]).norm(), 1e-9, "equilibrium");
+  const double stiffness =
+      hertz_stiffness(effective_modulus({modulus, 0.3}, {1e15, 0.33}), effective_radius(0.01, 0.5));
+  system.take_deepest_penetration();
+  system.step(1e-5);
+  expect_relative("penetration of a rod at rest, m", system.take_deepest_penetration(),
+                  std::pow(9.81 / 3 / stiffness, 2. / 3), 0.2,
+                  "(F/K)^(2/3) for a third of the weight at each of three points; the outer ones bear more");
+}
+
+TEST_F(VerificationContact, RodOnAnIncline) {
+  for (const double angle : {10.0, 30.0}) {
+    RodOnTable rod(1e9, 0.5, 0.3);
+    const double slope = angle * M_PI / 180;
+    // Along z, across the rod.
+    rod.cable.model.gravity = 9.81 * Eigen::Vector3d(0, -std::cos(slope), std::sin(slope));
+    rod.cable.model.materials[0].section.bending_damping = 1e-3;
+    CableSystem system(rod.cable.model);
+    RodOnTable::hold(system);
+    const double dt = 0.5 * system.stable_step().step;
+    advance(system, 0.5, dt);
+    const double start = rod.centre_velocity(system).z();
+    advance(system, 1, dt);
+    const double end = rod.centre_velocity(system).z();
+    if (angle < 15) {
+      expect_relative("creep of a rod that sticks at 10 degrees, mu = 0.3, m/s", end, 1e-3 * std::tan(slope) / 0.3,
+                      1e-2, "regularised friction: v_f tan(slope)/mu");
+    } else {
+      expect_relative("acceleration of a rod that slides at 30 degrees, mu = 0.3, m/s^2", (end - start) / 0.5,
+                      9.81 * (std::sin(slope) - 0.3 * std::cos(slope)), 1e-3, "g (sin - mu cos)");
+    }
+    EXPECT_NEAR(rod.centre_velocity(system).x(), 0, 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace netpocket
