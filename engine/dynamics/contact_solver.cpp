@@ -162,7 +162,7 @@ void ContactSolver::find(const SlotVectors& coordinates, const std::vector<doubl
                              .body = static_cast<std::int32_t>(b),
                              .slot = slots_[element],
                              .weight = weight,
-                             .point = point - nearest.distance * normal,
+                             .point = point,
                              .normal = normal,
                              .penetration = penetration,
                              .law = laws_[b][element]});
@@ -250,7 +250,8 @@ std::vector<ContactPoint> ContactSolver::contacts() const {
   std::vector<ContactPoint> result;
   for (const Contact& contact : contacts_) {
     if (contact.force.squaredNorm() == 0) continue;
-    result.push_back({contact.point, -contact.force, contact.element, contact.body});
+    const Eigen::Vector3d surface = contact.point - (radius_[contact.element] - contact.penetration) * contact.normal;
+    result.push_back({surface, -contact.force, contact.element, contact.body});
   }
   return result;
 }

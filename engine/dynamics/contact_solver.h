@@ -58,7 +58,7 @@ class ContactSolver {
     std::int32_t element, body;
     std::array<std::int32_t, 4> slot;
     std::array<double, 4> weight;
-    Eigen::Vector3d point;   // m, on the body's surface
+    Eigen::Vector3d point;   // m, on the cable's axis: where the force acts on both, so that their moments balance
     Eigen::Vector3d normal;  // outward from the body
     double penetration;      // m
     NormalLaw law;
