@@ -36,7 +36,10 @@ RunView SheetOptions::panel_view() {
 void render_sheet(const Recording& recording, const std::vector<double>& times, const std::string& path,
                   const SheetOptions& options, const std::stop_token& stop) {
   if (times.empty()) throw RenderError("there are no times to draw");
-  RunRenderer renderer(recording, options.view);
+  RunView view = options.view;
+  // Without a legend nothing stands beside the pocket.
+  if (view.frame.scene.color_by == ColorBy::none) view.share = {0.96, 0.92};
+  RunRenderer renderer(recording, view);
   std::vector<SheetPanel> panels;
   for (const double time : times) {
     if (stop.stop_requested()) return;

@@ -14,13 +14,15 @@ namespace {
 // Frames that are looked at before drawing, to choose the range of colours.
 constexpr std::size_t kSampledFrames = 24;
 
+// Mean over the run: a short peak must not take the colours of all other frames.
 double sampled_high_value(const Recording& recording, ColorBy color_by) {
   const std::size_t count = recording.frame_count(), step = std::max<std::size_t>(1, count / kSampledFrames);
-  double high = 0;
-  for (std::size_t i = 0; i < count; i += step) {
-    high = std::max(high, high_value(recording.structure(), recording.frame(i), color_by));
+  double sum = 0;
+  std::size_t samples = 0;
+  for (std::size_t i = 0; i < count; i += step, ++samples) {
+    sum += high_value(recording.structure(), recording.frame(i), color_by);
   }
-  return high;
+  return sum / static_cast<double>(samples);
 }
 
 std::optional<PhaseTimes> recorded_phases(const Recording& recording) {
@@ -63,9 +65,8 @@ RunRenderer::RunRenderer(const Recording& recording, const RunView& view)
       follows_(view.camera == CameraPreset::follow && !view.view) {
   const auto first = recording.frame(0);
   followed_from_ = followed_position(recording.structure(), first);
-  view_ = view.view.value_or(frame_view(view.camera,
-                                        follows_ ? visible_points(recording.structure(), first) : run_points(recording),
-                                        renderer_.aspect()));
+  const auto points = follows_ ? visible_points(recording.structure(), first) : run_points(recording);
+  view_ = view.view.value_or(frame_view(view.camera, points, renderer_.aspect(), view.share));
   renderer_.set_view(view_);
 }
 

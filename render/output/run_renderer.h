@@ -12,6 +12,7 @@ namespace netpocket {
 struct RunView {
   FrameOptions frame;  // an absent range of colours or times of phases are taken from the run
   CameraPreset camera = CameraPreset::iso;
+  FramingShare share;
   std::optional<CameraView> view;  // instead of a preset
   GlBackend backend = GlBackend::automatic;
 };

@@ -12,9 +12,6 @@ namespace netpocket {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-// Of the picture's half width and half height that the points may reach.
-constexpr double kFilledWidth = 0.80;
-constexpr double kFilledHeight = 0.88;
 
 // How a preset looks at the pocket, whose axis is the world's Y.
 struct Direction {
@@ -98,13 +95,13 @@ CameraPreset camera_from_name(std::string_view name) {
   throw RenderError(fmt::format("unknown camera '{}': use iso, side, front, mouth or follow", name));
 }
 
-CameraView frame_view(CameraPreset preset, const Eigen::Matrix3Xd& points, double aspect) {
+CameraView frame_view(CameraPreset preset, const Eigen::Matrix3Xd& points, double aspect, const FramingShare& share) {
   const auto direction = direction_of(preset);
   const Eigen::Matrix3d axes = picture_axes(direction);
   if (points.cols() == 0) return {};
   const Eigen::Matrix3Xd seen = axes.transpose() * points;
   const Eigen::Vector3d low = seen.rowwise().minCoeff(), high = seen.rowwise().maxCoeff();
-  const Eigen::Array2d filled(kFilledWidth * aspect, kFilledHeight);
+  const Eigen::Array2d filled(share.width * aspect, share.height);
 
   CameraView view;
   view.view_up = axes.col(1);

@@ -27,9 +27,16 @@ struct CameraView {
   double half_height = 0;  // m, of what is seen in parallel projection; 0: perspective
 };
 
+// Share of a picture's width and height that the framed points may take.
+struct FramingShare {
+  double width = 0.80;  // leaves room for labels at the sides
+  double height = 0.88;
+};
+
 // The view of a preset that just shows all points (m, world, one column each) in a picture of `aspect` = width /
-// height, with a margin for labels.
-CameraView frame_view(CameraPreset preset, const Eigen::Matrix3Xd& points, double aspect);
+// height.
+CameraView frame_view(CameraPreset preset, const Eigen::Matrix3Xd& points, double aspect,
+                      const FramingShare& share = {});
 
 void apply_view(const CameraView& view, vtkCamera& camera);
 

@@ -41,7 +41,7 @@ CordActor::CordActor(const Structure& structure, const ColorScale& scale, const 
     mesh_->GetPointData()->SetScalars(colors_);
   }
   actor_ = make_lines(mesh_, style_.color);
-  if (style_.fading > 0) add_depth_fading(*actor_, style_.distance_color);
+  if (style_.fading > 0) add_depth_fading(*actor_, style_.distance_color, style_.nearer);
   props_ = {actor_};
 }
 

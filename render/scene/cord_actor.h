@@ -20,6 +20,7 @@ struct CordStyle {
   double smallest_width = 1;       // pixels
   Color distance_color;            // what the far side of the pocket fades to
   double fading = 0;               // how much of it at the farthest place, 0 to 1
+  double nearer = 0;               // drawn in front of other cords at the same place by this fraction of the depth
   int segments = 3;                // straight pieces of an element
 };
 

@@ -6,15 +6,16 @@
 
 namespace netpocket {
 
-void add_depth_fading(vtkActor& actor, const Color& distance_color) {
+void add_depth_fading(vtkActor& actor, const Color& distance_color, double nearer) {
   // depth: the distance along the line of sight as a fraction of that between the clipping planes; in perspective the
   // depth buffer z holds it as z = f d / (n + (f - n) d), here with the ratio f / n.
-  const std::string fade = fmt::format(
+  std::string fade = fmt::format(
       "//VTK::Light::Impl\n"
       "  float z = gl_FragCoord.z;\n"
       "  float depth = z / (fade_far_to_near - (fade_far_to_near - 1.0) * z);\n"
       "  gl_FragData[0].rgb = mix(gl_FragData[0].rgb, vec3({:.4f}, {:.4f}, {:.4f}), fade_strength * depth);\n",
       distance_color[0], distance_color[1], distance_color[2]);
+  if (nearer > 0) fade += fmt::format("  gl_FragDepth = gl_FragCoord.z - {:.5f};\n", nearer);
   actor.GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", false, fade, false);
 }
 

@@ -40,7 +40,8 @@ void Legend::adapt(const View& view) {
     const double y = height_at(fraction);
     bar_.add_line({right, y}, {right + kTick * unit, y}, frame, text_color_);
     const double value = (range.low + fraction * (range.high - range.low)) / scale_.display_unit();
-    values_[i].set_text(fmt::format("{:.4g}", value));
+    // Higher values share the last colour.
+    values_[i].set_text(fmt::format("{}{:.4g}", i + 1 == kValues ? "\u2265 " : "", value));
     values_[i].place({right + (kTick + 5) * unit, y}, 15 * unit);
   }
   label_.place({view.width - 24 * unit, height_at(1) + 24 * unit}, 16 * unit);

@@ -34,6 +34,7 @@ CordStyle closing_rope_style(const SceneOptions& options) {
           .smallest_width = 2.0,
           .distance_color = colors.background,
           .fading = 0.3,
+          .nearer = 0.004,  // than the net's edge, which lies along the ropes
           .segments = 6};
 }
 

@@ -3,11 +3,18 @@
 #include <fmt/format.h>
 
 namespace netpocket {
+namespace {
+
+// Frames are a whole number of steps apart: the one "at 10 s" may be a step short of it.
+constexpr double kFrameTolerance = 1e-3;  // s
+
+}  // namespace
 
 std::string phase_name(const PhaseTimes& phases, double time) {
-  if (time >= phases.towing_start) return "towing";
-  if (time >= phases.closing_end) return "closed";
-  return time >= phases.closing_start ? "closing" : "open";
+  const double now = time + kFrameTolerance;
+  if (now >= phases.towing_start) return "towing";
+  if (now >= phases.closing_end) return "closed";
+  return now >= phases.closing_start ? "closing" : "open";
 }
 
 TimeLabel::TimeLabel(const SceneOptions& options, const Color& color)
