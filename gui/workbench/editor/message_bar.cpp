@@ -1,0 +1,47 @@
+#include "gui/workbench/editor/message_bar.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+
+namespace netpocket {
+
+MessageBar::MessageBar(Tone tone, QWidget* parent)
+    : QFrame(parent), tone_(tone), label_(new QLabel(this)), layout_(new QHBoxLayout(this)) {
+  label_->setWordWrap(true);
+  layout_->setContentsMargins(10, 5, 6, 5);
+  layout_->addWidget(label_, 1);
+  setAutoFillBackground(true);
+  set_colours();
+  hide();
+}
+
+QPushButton* MessageBar::add_button(const QString& text) {
+  auto* button = new QPushButton(text, this);
+  layout_->addWidget(button);
+  return button;
+}
+
+void MessageBar::show_text(const QString& text) {
+  label_->setText(text);
+  setVisible(!text.isEmpty());
+}
+
+QString MessageBar::text() const { return label_->text(); }
+
+void MessageBar::set_colours() {
+  const QPalette inherited = parentWidget() ? parentWidget()->palette() : palette();
+  QPalette colours = inherited;
+  colours.setColor(QPalette::Window, ground_colour(tone_, inherited));
+  label_->setPalette(colours);
+  setBackgroundRole(QPalette::Window);
+  if (palette() != colours) setPalette(colours);
+}
+
+void MessageBar::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::ParentChange || event->type() == QEvent::ApplicationPaletteChange) set_colours();
+  QFrame::changeEvent(event);
+}
+
+}  // namespace netpocket

@@ -1,0 +1,145 @@
+#include "gui/workbench/editor/parameter_words.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+#include <charconv>
+#include <cmath>
+
+#include "engine/scenario/parameter_text.h"
+
+namespace netpocket {
+namespace {
+
+QString text(std::string_view utf8) { return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size())); }
+
+QString translated(const QString& words) {
+  return QCoreApplication::translate("parameters", words.toUtf8().constData());
+}
+
+QString tr(const char* words) { return QCoreApplication::translate("netpocket::ParameterWords", words); }
+
+QString list_words(const Eigen::Vector3d& v) {
+  return QString("(%1, %2, %3)").arg(number_words(v.x()), number_words(v.y()), number_words(v.z()));
+}
+
+QString unused_unless(bool used, const QString& reason) { return used ? QString() : reason; }
+
+QString why_target_unused(std::string_view name, const TargetParameters& target) {
+  if (name == "radius") return unused_unless(target.shape != TargetShape::box, tr("Used for spheres and cylinders."));
+  if (name == "size") return unused_unless(target.shape == TargetShape::box, tr("Used for boxes."));
+  if (name == "length") return unused_unless(target.shape == TargetShape::cylinder, tr("Used for cylinders."));
+  return {};
+}
+
+QString why_closing_unused(std::string_view name, const ClosingParameters& closing) {
+  const bool table = closing.law == ClosingLaw::table;
+  if (name == "table") return unused_unless(table, tr("Used by the law “table”."));
+  if (name == "duration" || name == "closed_length") return unused_unless(!table, tr("Not used by the law “table”."));
+  return {};
+}
+
+QString why_solver_unused(std::string_view name, const SolverParameters& solver) {
+  if (name == "safety") return unused_unless(solver.time_step == 0, tr("Used when the step is chosen, time step 0."));
+  if (name == "seed") return unused_unless(solver.perturbation > 0, tr("Used with a perturbation."));
+  return {};
+}
+
+}  // namespace
+
+QString label(const Parameter& parameter) {
+  QString words = text(parameter.name()).replace('_', ' ');
+  words.replace("youngs", "Young's").replace("poisson ratio", "Poisson's ratio");
+  words[0] = words[0].toUpper();
+  return translated(words);
+}
+
+QString title(const ParameterGroup& group) { return translated(text(group.title)); }
+
+QString full_label(const Parameter& parameter) {
+  return title(*find_parameter_group(parameter.group())) + ": " + label(parameter).toLower();
+}
+
+QString unit_words(std::string_view unit) {
+  QString words = text(unit);
+  words.replace("^2", "²").replace("^3", "³").replace(" ", QStringLiteral("\u202f"));
+  return words;
+}
+
+QString unit_of(const Parameter& parameter, const Scenario& scenario) {
+  if (parameter.type == ParameterType::pairs) return {};
+  if (parameter.key != "towing.size") return unit_words(parameter.unit);
+  switch (scenario.towing.mode) {
+    case TowingMode::force:
+      return "N";
+    case TowingMode::acceleration:
+      return "m/s²";
+    case TowingMode::velocity:
+      return "m/s";
+    case TowingMode::none:
+      break;
+  }
+  return {};
+}
+
+QString number_words(double value) {
+  char buffer[32];
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
+  QString words = QString::fromLatin1(buffer, end - buffer);
+  return words.replace("e+0", "e").replace("e-0", "e-").replace("e+", "e");
+}
+
+QString value_words(const Parameter& parameter, const ParameterValue& value) {
+  QString words;
+  if (const auto* number = std::get_if<double>(&value)) {
+    words = number_words(*number);
+  } else if (const auto* vector = std::get_if<Eigen::Vector3d>(&value)) {
+    words = list_words(*vector);
+  } else if (const auto* pairs = std::get_if<std::vector<Eigen::Vector2d>>(&value)) {
+    return QCoreApplication::translate("netpocket::ParameterWords", "%n points", nullptr,
+                                       static_cast<int>(pairs->size()));
+  } else if (const auto* string = std::get_if<std::string>(&value)) {
+    words = "“" + QString::fromStdString(*string).left(30) + "”";
+  } else if (const auto* choice = std::get_if<Choice>(&value)) {
+    words = text(parameter.choices[choice->index]);
+  } else {
+    words = QString::fromStdString(toml_text(parameter, value));
+  }
+  const bool single_unit = !parameter.unit.empty() && parameter.key != "towing.size";
+  return single_unit ? words + " " + unit_words(parameter.unit) : words;
+}
+
+QString tool_tip(const Parameter& parameter) {
+  const QString allowed = QString::fromStdString(allowed_text(parameter)).toHtmlEscaped();
+  QString help = translated(text(parameter.help)).toHtmlEscaped();
+  help[0] = help[0].toUpper();
+  QStringList facts;
+  if (!allowed.isEmpty()) facts << tr("Allowed: %1").arg(allowed);
+  if (!parameter.unit.empty()) facts << tr("Unit: %1").arg(unit_words(parameter.unit));
+  facts << tr("Source: %1").arg(text(parameter.source).toHtmlEscaped());
+  facts << tr("Key: %1").arg("<code>" + text(parameter.key) + "</code>");
+  return "<p>" + help + "</p><p>" + facts.join("<br>") + "</p>";
+}
+
+std::optional<QString> why_unused(const Parameter& parameter, const Scenario& scenario) {
+  QString reason;
+  if (parameter.group() == "target") reason = why_target_unused(parameter.name(), scenario.target);
+  if (parameter.group() == "closing") reason = why_closing_unused(parameter.name(), scenario.closing);
+  if (parameter.group() == "solver") reason = why_solver_unused(parameter.name(), scenario.solver);
+  if (parameter.group() == "towing" && parameter.name() != "mode" && scenario.towing.mode == TowingMode::none) {
+    reason = tr("Used when the mode is not “none”.");
+  }
+  if (parameter.key == "contact.friction_velocity" && scenario.contact.friction == 0)
+    reason = tr("Used with friction.");
+  if (reason.isEmpty()) return std::nullopt;
+  return reason;
+}
+
+EditEffect edit_effect(const Parameter& parameter) {
+  if (parameter.group().empty()) return EditEffect::none;
+  const bool strategy = (parameter.group() == "closing" && parameter.name() != "elements") ||
+                        parameter.group() == "towing" || parameter.key == "contact.friction" ||
+                        parameter.key == "contact.friction_velocity";
+  return strategy ? EditEffect::at_once : EditEffect::restart;
+}
+
+}  // namespace netpocket

@@ -1,0 +1,40 @@
+#pragma once
+// What the user interface calls parameters, their units and their values, from the parameter table.
+
+#include <QString>
+#include <optional>
+
+#include "engine/scenario/parameters.h"
+
+namespace netpocket {
+
+// "Young's modulus" for net.youngs_modulus.
+QString label(const Parameter& parameter);
+// "Net cords: Young's modulus"
+QString full_label(const Parameter& parameter);
+QString title(const ParameterGroup& group);
+
+// A unit with typographic signs: "kg/m³" for "kg/m^3".
+QString unit_words(std::string_view unit);
+// Of a parameter as a whole: empty for lists of pairs, whose columns have units of their own, and for units by mode.
+QString unit_of(const Parameter& parameter, const Scenario& scenario);
+
+// The shortest text that reads back as the same number, without needless zeros: "1.2e10".
+QString number_words(double value);
+// A value with unit for menus and tool tips; lists of pairs by their number of rows.
+QString value_words(const Parameter& parameter, const ParameterValue& value);
+
+// HTML: what it is, key, limits, source.
+QString tool_tip(const Parameter& parameter);
+
+// Why the parameter is not used with the others as they are; empty when it is.
+std::optional<QString> why_unused(const Parameter& parameter, const Scenario& scenario);
+
+// What changing a parameter means to a run that goes on.
+enum class EditEffect { none, at_once, restart };
+
+// Strategy acts at once: closing law (not the number of elements), towing, friction. Names have no effect. Everything
+// else makes another model.
+EditEffect edit_effect(const Parameter& parameter);
+
+}  // namespace netpocket

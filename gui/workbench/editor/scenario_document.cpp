@@ -1,0 +1,212 @@
+#include "gui/workbench/editor/scenario_document.h"
+
+#include <QFile>
+#include <QFileInfo>
+#include <QSaveFile>
+
+#include "engine/scenario/check_scenario.h"
+#include "engine/scenario/parameter_text.h"
+#include "engine/scenario/read_scenario.h"
+#include "engine/scenario/write_scenario.h"
+#include "gui/workbench/editor/edit_command.h"
+#include "gui/workbench/editor/parameter_words.h"
+#include "gui/workbench/editor/toml_edit.h"
+
+namespace netpocket {
+namespace {
+
+constexpr int kAutosaveInterval = 3000;  // ms
+constexpr int kUndoLimit = 1000;
+
+bool same_values(const Scenario& a, const Scenario& b) { return differing_keys(a, b).isEmpty(); }
+
+// A text does not have to name its scenario: then the name stays what it was.
+ScenarioResult read(const std::string& text, const std::string& file, const std::string& name) {
+  ScenarioResult result = read_scenario_text(text, file);
+  if (result.ok() && !states(text, *find_parameter("name"))) result.scenario.name = name;
+  return result;
+}
+
+}  // namespace
+
+ScenarioDocument::ScenarioDocument(const QString& recovery_folder, QObject* parent)
+    : QObject(parent), recovery_folder_(recovery_folder), recovery_(recovery_folder) {
+  undo_stack_.setUndoLimit(kUndoLimit);
+  connect(&undo_stack_, &QUndoStack::cleanChanged, this, [this] { emit modified_changed(is_modified()); });
+  autosave_timer_.setInterval(kAutosaveInterval);
+  connect(&autosave_timer_, &QTimer::timeout, this, &ScenarioDocument::autosave);
+  autosave_timer_.start();
+  start_from(Scenario{});
+}
+
+// ---- edits ----
+
+std::optional<QString> ScenarioDocument::set_value(const Parameter& parameter, const ParameterValue& value) {
+  return set_values({{&parameter, value}},
+                    tr("set %1 to %2").arg(full_label(parameter), value_words(parameter, value)));
+}
+
+std::optional<QString> ScenarioDocument::set_values(const std::vector<Setting>& settings, const QString& text) {
+  State next = *state_;
+  for (const auto& [parameter, value] : settings) {
+    if (const auto problem = limit_problem(*parameter, value)) return QString::fromStdString(*problem);
+    parameter->set(next.scenario, value);
+  }
+  if (same_values(next.scenario, state_->scenario)) return std::nullopt;
+  next.text = text_with(*state_, settings, next.scenario);
+  push(std::make_shared<const State>(std::move(next)), text);
+  return std::nullopt;
+}
+
+// Changes the text in place; where that fails to say the target, writes the scenario anew.
+std::string ScenarioDocument::text_with(const State& state, const std::vector<Setting>& settings,
+                                        const Scenario& target) const {
+  std::optional<std::string> text = state.text;
+  for (const auto& [parameter, value] : settings) {
+    if (text && parameter->get(state.scenario) != value) text = with_value(*text, *parameter, value);
+  }
+  if (text) {
+    const ScenarioResult result = read(*text, {}, target.name);
+    if (result.ok() && same_values(result.scenario, target)) return *text;
+  }
+  return write_scenario_text(target);
+}
+
+Diagnostics ScenarioDocument::set_text(const QString& text) {
+  std::string bytes = text.toStdString();
+  ScenarioResult result = read(bytes, {}, state_->scenario.name);
+  if (!result.ok()) return result.diagnostics;
+  if (bytes == state_->text) return {};
+  const QStringList keys = differing_keys(state_->scenario, result.scenario);
+  const Parameter* only = keys.size() == 1 ? find_parameter(keys.front().toStdString()) : nullptr;
+  const QString name = only ? tr("set %1 to %2").arg(full_label(*only), value_words(*only, only->get(result.scenario)))
+                       : keys.isEmpty() ? tr("edit the text")
+                                        : tr("edit the text (%n values)", nullptr, keys.size());
+  push(std::make_shared<const State>(State{std::move(result.scenario), std::move(bytes)}), name);
+  return {};
+}
+
+void ScenarioDocument::begin_interaction() {
+  if (interaction_depth_++ == 0) ++interaction_;
+}
+
+void ScenarioDocument::end_interaction() { --interaction_depth_; }
+
+void ScenarioDocument::push(StatePointer next, const QString& text) {
+  const int interaction = interaction_depth_ > 0 ? interaction_ : 0;
+  undo_stack_.push(new EditCommand(*this, state_, std::move(next), interaction, text));
+}
+
+void ScenarioDocument::apply(const StatePointer& state) {
+  const StatePointer before = std::exchange(state_, state);
+  const QStringList keys = before ? differing_keys(before->scenario, state_->scenario) : QStringList();
+  if (!before || !keys.isEmpty()) {
+    diagnostics_ = check_scenario(state_->scenario);
+    emit changed(keys);
+    emit diagnostics_changed();
+  }
+  if (!before || before->text != state_->text) emit text_changed();
+}
+
+// ---- files ----
+
+QString ScenarioDocument::display_name() const {
+  return path_.isEmpty() ? tr("untitled") : QFileInfo(path_).fileName();
+}
+
+void ScenarioDocument::reset(StatePointer state, const QString& path, StatePointer saved) {
+  const bool was_modified = is_modified();
+  undo_stack_.clear();
+  recovered_ = state != saved;
+  recovery_.remove();
+  autosaved_ = nullptr;
+  set_saved(std::move(saved));
+  apply(state);
+  if (path != path_) {
+    path_ = path;
+    emit path_changed(path_);
+  }
+  if (was_modified != is_modified()) emit modified_changed(is_modified());
+}
+
+void ScenarioDocument::set_saved(StatePointer state) {
+  saved_ = std::move(state);
+  emit saved_changed();
+}
+
+Diagnostics ScenarioDocument::open(const QString& path) {
+  ScenarioResult result = read_scenario_file(path.toStdString());
+  if (!result.ok()) return result.diagnostics;
+  QFile file(path);
+  if (!file.open(QIODevice::ReadOnly)) {
+    Diagnostics problems;
+    problems.add({.file = path.toStdString(), .message = "cannot be read: " + file.errorString().toStdString()});
+    return problems;
+  }
+  const auto state = std::make_shared<const State>(State{std::move(result.scenario), file.readAll().toStdString()});
+  reset(state, path, state);
+  return {};
+}
+
+std::optional<QString> ScenarioDocument::save() {
+  if (path_.isEmpty()) return tr("The scenario has no file yet.");
+  return save_as(path_);
+}
+
+std::optional<QString> ScenarioDocument::save_as(const QString& path) {
+  QSaveFile file(path);
+  const QByteArray bytes = QByteArray::fromStdString(state_->text);
+  const bool written = file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit();
+  if (!written) return tr("Cannot write '%1': %2").arg(path, file.errorString());
+  const bool was_modified = is_modified();
+  recovered_ = false;
+  recovery_.remove();
+  set_saved(state_);
+  if (path != path_) {
+    path_ = path;
+    emit path_changed(path_);
+  }
+  if (undo_stack_.isClean() && was_modified) emit modified_changed(false);
+  undo_stack_.setClean();
+  return std::nullopt;
+}
+
+Diagnostics ScenarioDocument::start_from(const QString& text) {
+  std::string bytes = text.toStdString();
+  ScenarioResult result = read_scenario_text(bytes, {});
+  if (!result.ok()) return result.diagnostics;
+  const auto state = std::make_shared<const State>(State{std::move(result.scenario), std::move(bytes)});
+  reset(state, {}, state);
+  return {};
+}
+
+void ScenarioDocument::start_from(const Scenario& scenario) {
+  const auto state = std::make_shared<const State>(State{scenario, write_scenario_text(scenario)});
+  reset(state, {}, state);
+}
+
+// ---- recovery ----
+
+Diagnostics ScenarioDocument::recover(const LostWork& work) {
+  std::string bytes = work.text.toStdString();
+  ScenarioResult result = read(bytes, work.path.toStdString(), QFileInfo(work.path).completeBaseName().toStdString());
+  if (!result.ok()) return result.diagnostics;
+  const auto state = std::make_shared<const State>(State{std::move(result.scenario), std::move(bytes)});
+  const ScenarioResult file = read_scenario_file(work.path.toStdString());
+  const auto saved = std::make_shared<const State>(State{file.ok() ? file.scenario : Scenario{}, {}});
+  reset(state, work.path, saved);
+  forget(work);
+  autosave();
+  return {};
+}
+
+void ScenarioDocument::autosave() {
+  if (!is_modified()) {
+    recovery_.remove();
+    autosaved_ = nullptr;
+  } else if (autosaved_ != state_ && recovery_.write(path_, text())) {
+    autosaved_ = state_;
+  }
+}
+
+}  // namespace netpocket

@@ -1,0 +1,89 @@
+#include "gui/workbench/editor/text_page.h"
+
+#include <QLabel>
+#include <QTextBlock>
+#include <QVBoxLayout>
+
+#include "gui/workbench/editor/toml_edit_view.h"
+#include "gui/workbench/panels/tones.h"
+
+namespace netpocket {
+namespace {
+
+constexpr int kPause = 400;  // ms
+
+}  // namespace
+
+TextPage::TextPage(ScenarioDocument* document, QWidget* parent)
+    : QWidget(parent), document_(document), view_(new TomlEditView(this)), status_(new QLabel(this)) {
+  status_->setWordWrap(true);
+  status_->setContentsMargins(10, 5, 10, 5);
+  status_->setAutoFillBackground(true);
+  status_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  status_->hide();
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(view_, 1);
+  layout->addWidget(status_);
+  setFocusProxy(view_);
+
+  pause_.setSingleShot(true);
+  pause_.setInterval(kPause);
+  connect(&pause_, &QTimer::timeout, this, &TextPage::commit);
+  connect(view_, &QPlainTextEdit::textChanged, &pause_, qOverload<>(&QTimer::start));
+  connect(view_, &TomlEditView::undo_requested, document_->undo_stack(), &QUndoStack::undo);
+  connect(view_, &TomlEditView::redo_requested, document_->undo_stack(), &QUndoStack::redo);
+  connect(document_, &ScenarioDocument::text_changed, this, &TextPage::show_document);
+  show_document();
+}
+
+void TextPage::show_document() {
+  if (committing_) return;
+  pause_.stop();
+  view_->set_text(document_->text());
+  set_problems({});
+}
+
+bool TextPage::commit() {
+  pause_.stop();
+  committing_ = true;
+  Diagnostics problems = document_->set_text(view_->toPlainText());
+  committing_ = false;
+  if (problems.ok()) view_->settle();
+  set_problems(std::move(problems));
+  return problems_.ok();
+}
+
+void TextPage::discard() { show_document(); }
+
+void TextPage::set_problems(Diagnostics problems) {
+  problems_ = std::move(problems);
+  std::map<int, QString> lines;
+  QStringList texts;
+  for (const Diagnostic& diagnostic : problems_.list()) {
+    texts << QString::fromStdString(diagnostic.text());
+    if (diagnostic.line > 0) lines[diagnostic.line] = QString::fromStdString(diagnostic.message);
+  }
+  view_->mark_lines(lines);
+  QPalette colours = palette();
+  colours.setColor(QPalette::Window, ground_colour(Tone::bad, palette()));
+  colours.setColor(QPalette::WindowText, tone_colour(Tone::bad, palette()));
+  status_->setPalette(colours);
+  status_->setText(texts.mid(0, 4).join('\n'));
+  status_->setVisible(!texts.isEmpty());
+  emit problem_changed();
+}
+
+void TextPage::go_to_problem() {
+  if (problems_.ok()) return;
+  const int line = std::max(problems_.list().front().line, 1);
+  QTextCursor cursor(view_->document()->findBlockByNumber(line - 1));
+  view_->setTextCursor(cursor);
+  view_->centerCursor();
+  view_->setFocus();
+}
+
+void TextPage::set_read_only(bool read_only) { view_->setReadOnly(read_only); }
+
+}  // namespace netpocket

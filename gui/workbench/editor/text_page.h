@@ -1,0 +1,48 @@
+#pragma once
+// The scenario as text, in step with the document: a pause in typing makes it an edit; what cannot be read is marked
+// and stays here until it can.
+
+#include <QTimer>
+#include <QWidget>
+
+#include "gui/workbench/editor/scenario_document.h"
+
+class QLabel;
+
+namespace netpocket {
+
+class TomlEditView;
+
+class TextPage : public QWidget {
+  Q_OBJECT
+ public:
+  explicit TextPage(ScenarioDocument* document, QWidget* parent = nullptr);
+
+  // Reads what was typed now, without waiting for the pause. Whether the text and the document agree.
+  bool commit();
+  // Goes back to the document's text.
+  void discard();
+  // Whether the text has something that cannot be read.
+  bool has_problem() const { return !problems_.ok(); }
+  const Diagnostics& problems() const { return problems_; }
+  void go_to_problem();
+
+  void set_read_only(bool read_only);
+  TomlEditView* view() const { return view_; }
+
+ signals:
+  void problem_changed();
+
+ private:
+  void show_document();
+  void set_problems(Diagnostics problems);
+
+  ScenarioDocument* document_;
+  TomlEditView* view_;
+  QLabel* status_;
+  QTimer pause_;
+  Diagnostics problems_;
+  bool committing_ = false;
+};
+
+}  // namespace netpocket

@@ -1,0 +1,104 @@
+#include "gui/workbench/editor/toml_edit.h"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "engine/scenario/parameter_text.h"
+
+namespace netpocket {
+namespace {
+
+std::optional<toml::table> parse(std::string_view text) {
+  try {
+    return toml::parse(text);
+  } catch (const toml::parse_error&) {
+    return std::nullopt;
+  }
+}
+
+// Lines without their ends.
+std::vector<std::string_view> split_lines(std::string_view text) {
+  std::vector<std::string_view> lines;
+  while (true) {
+    const auto end = text.find('\n');
+    lines.push_back(text.substr(0, end));
+    if (end == text.npos) return lines;
+    text.remove_prefix(end + 1);
+  }
+}
+
+// Byte offset of a parser's position, whose columns count characters.
+std::size_t offset_of(std::string_view text, const toml::source_position& position) {
+  std::size_t offset = 0;
+  for (toml::source_index line = 1; line < position.line; ++line) offset = text.find('\n', offset) + 1;
+  for (toml::source_index column = 1; column < position.column && offset < text.size(); ++column) {
+    do {
+      ++offset;
+    } while (offset < text.size() && (static_cast<unsigned char>(text[offset]) & 0xc0) == 0x80);
+  }
+  return offset;
+}
+
+// A comment after the value keeps its column as long as there is room.
+std::string replace(std::string_view text, std::size_t begin, std::size_t end, const std::string& value) {
+  const auto hash = text.find_first_not_of(" \t", end);
+  std::string result(text.substr(0, begin));
+  result += value;
+  if (hash != text.npos && hash > end && text[hash] == '#') {
+    const std::size_t old_width = hash - begin;
+    result += std::string(value.size() < old_width ? old_width - value.size() : 1, ' ');
+    return result += text.substr(hash);
+  }
+  return result += text.substr(end);
+}
+
+std::string insert_line(std::string_view text, std::size_t after, const std::string& line) {
+  std::string result;
+  const auto lines = split_lines(text);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (i == after) result += line + '\n';
+    result += lines[i];
+    if (i + 1 < lines.size()) result += '\n';
+  }
+  if (after >= lines.size()) result += '\n' + line + '\n';
+  return result;
+}
+
+// The line after which a table's next key goes: its last key, or its header.
+std::size_t last_line(const toml::table& table) {
+  toml::source_index line = table.source().begin.line;
+  for (const auto& [key, node] : table) {
+    if (!node.is_table()) line = std::max(line, node.source().end.line);
+  }
+  return line;
+}
+
+}  // namespace
+
+bool states(std::string_view text, const Parameter& parameter) {
+  const auto file = parse(text);
+  return file && file->at_path(parameter.key);
+}
+
+std::optional<std::string> with_value(std::string_view text, const Parameter& parameter, const ParameterValue& value) {
+  const auto file = parse(text);
+  if (!file) return std::nullopt;
+  const std::string written = toml_text(parameter, value);
+  if (const auto node = file->at_path(parameter.key)) {
+    const toml::source_region& region = node.node()->source();
+    return replace(text, offset_of(text, region.begin), offset_of(text, region.end), written);
+  }
+  const std::string line = std::string(parameter.name()) + " = " + written;
+  if (parameter.group().empty()) return line + '\n' + std::string(text);
+  const toml::table* table = (*file)[parameter.group()].as_table();
+  if (table && table->is_inline()) return std::nullopt;
+  if (table) return insert_line(text, last_line(*table), line);
+  std::string result(text);
+  if (!result.empty() && result.back() != '\n') result += '\n';
+  if (!result.empty()) result += '\n';
+  return result + "[" + std::string(parameter.group()) + "]\n" + line + '\n';
+}
+
+}  // namespace netpocket

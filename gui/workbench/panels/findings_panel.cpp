@@ -1,0 +1,225 @@
+#include "gui/workbench/panels/findings_panel.h"
+
+#include <QEvent>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QSaveFile>
+#include <QScrollBar>
+#include <QTableWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "engine/recording/report.h"
+#include "gui/workbench/panels/icons.h"
+
+namespace netpocket {
+namespace {
+
+enum Column { kMark, kStatement, kRun, kValue, kColumns };
+
+// F3, F4 and F5 judge how runs with different closing times differ.
+bool compares_runs(const Finding& finding) { return finding.id == "F3" || finding.id == "F4" || finding.id == "F5"; }
+
+Glyph glyph(FindingMark mark) {
+  if (mark == FindingMark::pending) return Glyph::pending;
+  return mark == FindingMark::yes ? Glyph::yes : Glyph::no;
+}
+
+Tone tone(FindingMark mark) {
+  if (mark == FindingMark::pending) return Tone::muted;
+  return mark == FindingMark::yes ? Tone::good : Tone::bad;
+}
+
+QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+
+}  // namespace
+
+FindingMark finding_mark(const Finding& finding, const FindingCase& finding_case, bool running) {
+  if (finding_case.holds) return FindingMark::yes;
+  const bool undecided = running || (compares_runs(finding) && finding.cases.size() < 2);
+  return undecided ? FindingMark::pending : FindingMark::no;
+}
+
+FindingsPanel::FindingsPanel(QWidget* parent)
+    : QWidget(parent),
+      capture_(new QLabel(this)),
+      counts_(new QLabel(this)),
+      empty_(new QLabel(tr("Findings F1 to F11 appear here once a run has recorded frames."), this)),
+      export_(new QToolButton(this)),
+      table_(new QTableWidget(this)) {
+  capture_->setContentsMargins(10, 7, 10, 7);
+  capture_->setWordWrap(true);
+  capture_->setAutoFillBackground(true);
+  empty_->setAlignment(Qt::AlignCenter);
+  empty_->setWordWrap(true);
+  empty_->setMargin(24);
+  empty_->setForegroundRole(QPalette::PlaceholderText);
+  export_->setText(tr("Export…"));
+  export_->setToolTip(tr("Save the findings as text or JSON"));
+  connect(export_, &QToolButton::clicked, this, &FindingsPanel::ask_for_export);
+
+  table_->setColumnCount(kColumns);
+  table_->setHorizontalHeaderLabels({QString(), tr("Finding"), tr("Run"), tr("Found")});
+  table_->verticalHeader()->hide();
+  table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  table_->horizontalHeader()->setHighlightSections(false);
+  table_->horizontalHeader()->setSectionResizeMode(kMark, QHeaderView::Fixed);
+  table_->horizontalHeader()->setSectionResizeMode(kStatement, QHeaderView::Stretch);
+  table_->horizontalHeader()->setSectionResizeMode(kRun, QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setSectionResizeMode(kValue, QHeaderView::Stretch);
+  table_->setColumnWidth(kMark, 30);
+  table_->setWordWrap(true);
+  table_->setShowGrid(false);
+  table_->setFrameShape(QFrame::NoFrame);
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  table_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+  table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  table_->setAccessibleName(tr("Findings"));
+
+  auto* bar = new QHBoxLayout;
+  bar->setContentsMargins(10, 4, 6, 4);
+  bar->addWidget(counts_, 1);
+  bar->addWidget(export_);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(capture_);
+  layout->addLayout(bar);
+  layout->addWidget(empty_, 1);
+  layout->addWidget(table_, 1);
+  set_capture(CaptureState::unknown, {});
+  fill();
+}
+
+void FindingsPanel::set_findings(std::vector<Finding> findings, bool running) {
+  findings_ = std::move(findings);
+  running_ = running;
+  fill();
+}
+
+void FindingsPanel::set_capture(CaptureState state, const QString& detail) {
+  capture_state_ = state;
+  capture_detail_ = detail;
+  show_capture();
+}
+
+void FindingsPanel::show_capture() {
+  QString headline = tr("Capture not decided yet");
+  Tone tone = Tone::muted;
+  if (capture_state_ == CaptureState::captured) {
+    headline = tr("Captured");
+    tone = Tone::good;
+  } else if (capture_state_ == CaptureState::not_captured) {
+    headline = tr("Not captured");
+    tone = Tone::bad;
+  }
+  const QString detail = capture_detail_.isEmpty() ? QString() : ": " + capture_detail_.toHtmlEscaped();
+  capture_->setText("<b>" + headline + "</b>" + detail);
+  QPalette colours = palette();
+  colours.setColor(QPalette::Window, ground_colour(tone, palette()));
+  colours.setColor(QPalette::WindowText,
+                   tone == Tone::muted ? palette().color(QPalette::WindowText) : tone_colour(tone, palette()));
+  capture_->setPalette(colours);
+}
+
+void FindingsPanel::fill() {
+  const int scrolled = table_->verticalScrollBar()->value();
+  table_->setRowCount(0);
+  const bool several = !findings_.empty() && findings_.front().cases.size() > 1;
+  table_->setColumnHidden(kRun, !several);
+  for (const Finding& finding : findings_) add_rows(finding);
+  table_->resizeRowsToContents();
+  table_->verticalScrollBar()->setValue(scrolled);
+  table_->setVisible(!findings_.empty());
+  empty_->setVisible(findings_.empty());
+  export_->setEnabled(!findings_.empty());
+  show_counts();
+}
+
+void FindingsPanel::add_rows(const Finding& finding) {
+  const int first = table_->rowCount();
+  for (const FindingCase& finding_case : finding.cases) {
+    table_->insertRow(table_->rowCount());
+    add_case(table_->rowCount() - 1, finding, finding_case);
+  }
+  const int count = table_->rowCount() - first;
+  if (count > 1) table_->setSpan(first, kStatement, count, 1);
+}
+
+void FindingsPanel::add_case(int row, const Finding& finding, const FindingCase& finding_case) {
+  const FindingMark mark = finding_mark(finding, finding_case, running_);
+  const QString word = mark == FindingMark::pending ? tr("not decided")
+                       : mark == FindingMark::yes   ? tr("yes")
+                                                    : tr("no");
+  const QString rule =
+      tr("<p><b>%1: %2</b></p><p>Rule: %3</p>").arg(text(finding.id), word, text(finding.rule).toHtmlEscaped());
+  const QStringList texts = {QString(), text(finding.id) + "  " + text(finding.text), text(finding_case.name),
+                             text(finding_case.value)};
+  for (int column = 0; column < kColumns; ++column) {
+    auto* item = new QTableWidgetItem(texts[column]);
+    item->setToolTip(rule);
+    item->setTextAlignment(Qt::AlignTop | Qt::AlignLeft);
+    table_->setItem(row, column, item);
+  }
+  table_->item(row, kMark)->setIcon(glyph_icon(glyph(mark), tone(mark), palette()));
+  table_->item(row, kMark)->setData(Qt::AccessibleTextRole, word);
+  table_->item(row, kMark)->setData(Qt::UserRole, static_cast<int>(mark));
+}
+
+void FindingsPanel::show_counts() {
+  int holding = 0;
+  for (const Finding& finding : findings_) {
+    holding += std::all_of(finding.cases.begin(), finding.cases.end(), [](const auto& c) { return c.holds; }) ? 1 : 0;
+  }
+  const int all = static_cast<int>(findings_.size());
+  counts_->setText(all == 0   ? QString()
+                   : running_ ? tr("%1 of %2 hold so far").arg(holding).arg(all)
+                              : tr("%1 of %2 hold").arg(holding).arg(all));
+}
+
+void FindingsPanel::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::PaletteChange) {
+    show_capture();
+    fill();
+  }
+  QWidget::changeEvent(event);
+}
+
+void FindingsPanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  table_->resizeRowsToContents();
+}
+
+std::optional<QString> FindingsPanel::export_findings(const QString& path) const {
+  const bool json = path.endsWith(".json", Qt::CaseInsensitive);
+  const std::string bytes = json ? findings_json(findings_).dump(2) + "\n" : findings_text(findings_);
+  QSaveFile file(path);
+  const bool written =
+      file.open(QIODevice::WriteOnly) && file.write(QByteArray::fromStdString(bytes)) >= 0 && file.commit();
+  if (written) return std::nullopt;
+  return tr("Cannot write '%1': %2").arg(path, file.errorString());
+}
+
+void FindingsPanel::ask_for_export() {
+  auto* dialog = new QFileDialog(this, tr("Export findings"), "findings.txt", tr("Text (*.txt);;JSON (*.json)"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix("txt");
+  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+    const auto problem = export_findings(path);
+    if (problem) {
+      emit export_failed(*problem);
+    } else {
+      emit exported(path);
+    }
+  });
+  dialog->open();
+}
+
+}  // namespace netpocket

@@ -1,0 +1,123 @@
+#include <gtest/gtest.h>
+
+#include <QElapsedTimer>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <algorithm>
+
+#include "gui/workbench/panels/plots_panel.h"
+#include "temporary_document.h"
+#include "tests/render/figures/synthetic_run.h"
+
+namespace netpocket {
+namespace {
+
+class Plots : public testing::Test {
+ protected:
+  Plots() {
+    panel.resize(700, 420);
+    panel.show();
+  }
+  void settle() {
+    QTest::qWait(80);  // the throttle's 50 ms and the paint
+    panel.grab();
+  }
+
+  PlotsPanel panel;
+};
+
+TEST_F(Plots, ClickGoesToATime) {
+  panel.set_series({synthetic_run("case1", 10)});
+  settle();
+  QSignalSpy clicked(&panel, &PlotsPanel::time_clicked);
+  QTest::mouseClick(panel.chart(), Qt::LeftButton, {}, panel.chart()->point_at(12.0)->toPoint());
+  ASSERT_EQ(clicked.size(), 1);
+  EXPECT_NEAR(clicked[0][0].toDouble(), 12, 0.1);
+}
+
+TEST_F(Plots, ShowsTheValuesAtTheCursor) {
+  panel.set_series({synthetic_run("case1", 10)});
+  settle();
+  panel.set_time(15.0);
+  EXPECT_TRUE(panel.values_text().contains("commanded")) << panel.values_text().toStdString();
+  EXPECT_TRUE(panel.values_text().contains("<b>2.1</b>")) << "the closed length: " << panel.values_text().toStdString();
+}
+
+TEST_F(Plots, EveryFigureDrawsOneOrSeveralRuns) {
+  for (const auto& runs : {std::vector<RunSeries>{},
+                           {synthetic_run("case1", 10)},
+                           {synthetic_run("case1", 10), synthetic_run("case2", 7.5), synthetic_run("case3", 5)}}) {
+    panel.set_series(runs);
+    settle();
+    for (const char* name : {"figure03_closing", "figure05_force", "figure06_position", "figure10_target_position",
+                             "figure11_spacecraft_position", "energy", "tension"}) {
+      panel.show_figure(name);
+      EXPECT_EQ(panel.figure_name(), name);
+      panel.grab();
+      EXPECT_EQ(time_range(panel.chart()->figure()).has_value(), !runs.empty());
+    }
+  }
+}
+
+TEST_F(Plots, GrowsFrameByFrame) {
+  const RunSeries whole = synthetic_run("case1", 10);
+  RunSeries start;
+  start.name = "case1";
+  panel.set_series({start});
+  for (std::size_t i = 0; i < 100; ++i) {
+    std::array<double, kChannelCount> frame;
+    for (std::size_t c = 0; c < kChannelCount; ++c) frame[c] = whole.channels[c][i];
+    panel.append(0, frame);
+  }
+  settle();
+  EXPECT_NEAR(time_range(panel.chart()->figure())->end, whole.times()[99], 1e-12);
+}
+
+TEST_F(Plots, PickedItemsAreAFigureOfTheirOwn) {
+  Panel picked;
+  picked.title = "Rod 3, element 2";
+  picked.curves.emplace_back();
+  picked.curves[0].x = {0, 1};
+  picked.curves[0].y = {0, 1};
+  panel.set_picked({picked});
+  panel.show_figure("picked");
+  EXPECT_EQ(panel.chart()->figure().panels.size(), 1u);
+  panel.set_picked({});
+  EXPECT_NE(panel.figure_name(), "picked");
+}
+
+TEST_F(Plots, ExportsWhatIsShown) {
+  panel.set_series({synthetic_run("case1", 10)});
+  settle();
+  QTemporaryDir folder;
+  for (const char* name : {"a.png", "a.svg", "a.pdf"}) {
+    EXPECT_FALSE(panel.export_figure(folder.filePath(name)));
+    EXPECT_GT(read_file(folder.filePath(name)).size(), 1000) << name;
+  }
+  EXPECT_TRUE(panel.export_figure(folder.filePath("no/such.png")));
+}
+
+// A redraw while a run grows must leave the event loop free. The median, so that a busy machine does not fail the test.
+TEST_F(Plots, RedrawIsQuick) {
+  panel.set_series({synthetic_run("case1", 10)});  // 2001 frames
+  std::vector<double> worst;
+  for (const char* name : {"figure03_closing", "figure05_force", "figure06_position", "energy"}) {
+    panel.show_figure(name);
+    std::vector<double> times;
+    for (int i = 0; i < 9; ++i) {
+      QElapsedTimer timer;
+      timer.start();
+      panel.chart()->set_figure(Figure(panel.chart()->figure()));
+      panel.chart()->grab();
+      times.push_back(static_cast<double>(timer.nsecsElapsed()) / 1e6);
+    }
+    std::nth_element(times.begin(), times.begin() + 4, times.end());
+    std::printf("redraw of %s: %.1f ms\n", name, times[4]);
+    worst.push_back(times[4]);
+  }
+  EXPECT_LT(*std::max_element(worst.begin(), worst.end()), 20);
+}
+
+}  // namespace
+}  // namespace netpocket
