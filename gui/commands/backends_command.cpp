@@ -8,8 +8,7 @@
 namespace netpocket {
 
 Action declare_backends(CLI::App& app) {
-  app.footer(R"(
-Examples:
+  app.footer(R"(Examples:
   netpocket backends
 
 )" + exit_code_help({ExitCode::rendering}));

@@ -11,8 +11,7 @@ namespace netpocket {
 Action declare_check(CLI::App& app) {
   const auto choice = std::make_shared<ScenarioChoice>();
   add_scenario_options(app, *choice);
-  app.footer(R"(
-Examples:
+  app.footer(R"(Examples:
   netpocket check scenarios/case1.toml
   netpocket check scenarios/case1.toml --set pocket.mesh_rows=12
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <sstream>
 
 #include "engine/recording/recorder.h"
@@ -28,8 +29,7 @@ constexpr std::array kCommands = {
     Command{"backends", "which ways to draw without a display there are", declare_backends},
 };
 
-constexpr const char* kFooter = R"(
-netpocket COMMAND --help tells more and gives examples. A first capture:
+constexpr const char* kFooter = R"(netpocket COMMAND --help tells more and gives examples. A first capture:
   netpocket run scenarios/case1.toml -o case1.h5
   netpocket render case1.h5 --sheet sheet.png
   netpocket plot case1.h5 -o figures
@@ -68,7 +68,9 @@ class CommandLine {
     }
     const auto chosen = app_.get_subcommands();
     const std::string name = chosen.empty() ? "netpocket" : "netpocket " + chosen.front()->get_name();
-    throw CommandError(ExitCode::usage, fmt::format("{}; see {} --help", error.what(), name));
+    const std::string message = error.what();
+    const std::string help = message.ends_with('?') ? "" : fmt::format("; see {} --help", name);
+    throw CommandError(ExitCode::usage, message + help);
   }
 
  private:
@@ -85,8 +87,8 @@ class CommandLine {
     }
     for (auto argument = word == arguments.end() ? arguments.begin() : word; argument != arguments.end(); ++argument) {
       if (*argument == "--") return;
-      const std::string name = argument->substr(0, argument->find('='));
-      if (name.starts_with("--") && parser->get_option_no_throw(name) == nullptr) {
+      const std::string name = option_name(*argument);
+      if (!name.empty() && parser->get_option_no_throw(name) == nullptr) {
         throw unknown("option", name, option_names(*parser), *parser);
       }
     }
@@ -96,6 +98,13 @@ class CommandLine {
     const auto is_it = [&](const auto& entry) { return entry.first->get_name() == name; };
     const auto found = std::find_if(actions_.begin(), actions_.end(), is_it);
     return found == actions_.end() ? nullptr : found->first;
+  }
+
+  // "--set" of "--set=x" and "-o" of "-orun.h5"; empty for what is no option.
+  static std::string option_name(const std::string& argument) {
+    if (argument.starts_with("--")) return argument.substr(0, argument.find('='));
+    const bool is_short = argument.size() > 1 && argument[0] == '-' && std::isalpha(argument[1]) != 0;
+    return is_short ? argument.substr(0, 2) : "";
   }
 
   static CommandError unknown(const char* what, const std::string& name, const std::vector<std::string>& names,

@@ -13,8 +13,7 @@
 namespace netpocket {
 namespace {
 
-constexpr const char* kHelp = R"(
---csv writes channels.csv: one row for each recorded frame.
+constexpr const char* kHelp = R"(--csv writes channels.csv: one row for each recorded frame.
 --vtp writes netpocket.pvd, for ParaView: cords and rods with tension, strain and velocity, and the bodies.
 
 Examples:
@@ -42,6 +41,9 @@ ExitCode export_series(const Recording& recording, const ExportChoice& choice) {
 }
 
 ExitCode export_recording(const ExportChoice& choice) {
+  if (choice.csv.empty() && choice.vtp.empty()) {
+    throw CommandError(ExitCode::usage, "nothing to write: give --csv or --vtp");
+  }
   const Recording recording = open_recording(choice.recording);
   for (const std::string& folder : {choice.csv, choice.vtp}) {
     if (!folder.empty()) make_output_folder(folder);
@@ -54,11 +56,9 @@ ExitCode export_recording(const ExportChoice& choice) {
 
 Action declare_export(CLI::App& app) {
   const auto choice = std::make_shared<ExportChoice>();
-  app.add_option("RUN.h5", choice->recording, "recording to export")->required();
-  CLI::Option_group& formats = *app.add_option_group("Formats");
-  formats.add_option("--csv", choice->csv, "folder for channels.csv")->type_name("DIR");
-  formats.add_option("--vtp", choice->vtp, "folder for a series that ParaView opens")->type_name("DIR");
-  formats.require_option(1, 2);
+  app.add_option("RUN.h5", choice->recording, "recording to export")->required()->type_name("FILE");
+  app.add_option("--csv", choice->csv, "folder for channels.csv")->type_name("DIR");
+  app.add_option("--vtp", choice->vtp, "folder for a series that ParaView opens")->type_name("DIR");
   app.add_flag("--quiet", choice->quiet, "no progress");
   app.footer(kHelp + exit_code_help({ExitCode::bad_input, ExitCode::io, ExitCode::rendering, ExitCode::interrupted}));
   return [choice](const std::string&) { return export_recording(*choice); };

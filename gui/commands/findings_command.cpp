@@ -19,10 +19,12 @@ struct FindingsChoice {
 
 Action declare_findings(CLI::App& app) {
   const auto choice = std::make_shared<FindingsChoice>();
-  app.add_option("RUN.h5", choice->recordings, "recordings to judge, e.g. of cases 1, 2 and 3")->required();
+  app.add_option("RUN.h5", choice->recordings, "recordings to judge, e.g. of cases 1, 2 and 3")
+      ->required()
+      ->type_name("FILE");
   app.add_flag("--json", choice->json, "for programs");
-  app.footer(R"(
-The findings F1 to F11 are those of Tang et al., Appl. Sci. 2023, 13, 10377, each decided by a rule from the
+  app.footer(
+      R"(The findings F1 to F11 are those of Tang et al., Appl. Sci. 2023, 13, 10377, each decided by a rule from the
 recordings; --json states the rules.
 
 Examples:

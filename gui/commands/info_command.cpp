@@ -19,10 +19,9 @@ struct InfoChoice {
 
 Action declare_info(CLI::App& app) {
   const auto choice = std::make_shared<InfoChoice>();
-  app.add_option("RUN.h5", choice->recording, "recording to describe")->required();
+  app.add_option("RUN.h5", choice->recording, "recording to describe")->required()->type_name("FILE");
   app.add_flag("--json", choice->json, "for programs: one JSON object, SI units");
-  app.footer(R"(
-Examples:
+  app.footer(R"(Examples:
   netpocket info case1.h5
   netpocket info case1.h5 --json
 

@@ -47,13 +47,21 @@ void require_access(const std::string& folder, int mode, const std::string& path
 }  // namespace
 
 CLI::Validator one_of(const std::vector<std::string>& names) {
-  const std::string list = fmt::format("{}", fmt::join(names, "|"));
-  const auto check = [names, list](const std::string& text) -> std::string {
+  const auto check = [names](const std::string& text) -> std::string {
     if (std::find(names.begin(), names.end(), text) != names.end()) return {};
     const std::string near = suggestion(text, names);
-    return fmt::format("unknown name \"{}\"{}", text, near.empty() ? "; use " + list : near);
+    return fmt::format("unknown name \"{}\"{}", text,
+                       near.empty() ? fmt::format("; use {}", fmt::join(names, ", ")) : near);
   };
-  return {check, list, "one_of"};
+  return {check, "", "one_of"};
+}
+
+CLI::Option* add_choice(CLI::App& app, const std::string& option, std::string& value, const std::string& help,
+                        const std::vector<std::string>& names) {
+  return app.add_option(option, value, fmt::format("{}: {}", help, fmt::join(names, ", ")))
+      ->type_name("NAME")
+      ->check(one_of(names))
+      ->capture_default_str();
 }
 
 CLI::Validator positive_number() {
@@ -100,7 +108,9 @@ CLI::Validator is_picture_size() {
 }
 
 void add_scenario_options(CLI::App& app, ScenarioChoice& choice) {
-  app.add_option("SCENARIO", choice.path, "scenario file (TOML); scenarios/REFERENCE.md lists its keys")->required();
+  app.add_option("SCENARIO", choice.path, "scenario file (TOML); scenarios/REFERENCE.md lists its keys")
+      ->required()
+      ->type_name("FILE");
   app.add_option("--set", choice.settings, "set a parameter, e.g. closing.duration=5; may be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);

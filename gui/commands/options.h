@@ -11,7 +11,6 @@
 namespace netpocket {
 
 // Checks for CLI::Option::check; each refuses with a sentence that says what is allowed.
-CLI::Validator one_of(const std::vector<std::string>& names);
 CLI::Validator positive_number();
 CLI::Validator number_not_below_zero();
 CLI::Validator whole_number(int lowest, int highest);
@@ -23,6 +22,11 @@ struct PictureSize {
 };
 std::optional<PictureSize> picture_size(const std::string& text);
 CLI::Validator is_picture_size();
+
+// Adds an option that takes one of some names; for any other the nearest is suggested.
+CLI::Option* add_choice(CLI::App& app, const std::string& option, std::string& value, const std::string& help,
+                        const std::vector<std::string>& names);
+CLI::Validator one_of(const std::vector<std::string>& names);
 
 // Adds the positional SCENARIO and the option --set.
 struct ScenarioChoice {
@@ -36,7 +40,7 @@ Scenario load_scenario(const ScenarioChoice& choice);
 
 // Makes the folder when it is missing. Throws CommandError(io), also when nothing can be written there.
 void make_output_folder(const std::string& path);
-// Throws CommandError(io) when no file can be made or replaced at `path`.
+// Throws CommandError(io) when no file can be made at `path` or replaced.
 void require_writable(const std::string& path);
 
 }  // namespace netpocket

@@ -27,16 +27,14 @@ std::string figure_list() {
 
 Action declare_plot(CLI::App& app) {
   const auto choice = std::make_shared<PlotChoice>();
-  app.add_option("RUN.h5", choice->recordings, "recordings to draw")->required();
+  app.add_option("RUN.h5", choice->recordings, "recordings to draw")->required()->type_name("FILE");
   app.add_option("-o,--output", choice->output, "folder for the figures")->required()->type_name("DIR");
   app.add_option("--figure", choice->figures, "only this figure; may be repeated (default: all that suit the runs)")
       ->type_name("NAME")
       ->allow_extra_args(false)
-      ->check(one_of(figure_names()).description(""));
-  app.add_option("--format", choice->format, "file format")
-      ->check(one_of({"png", "svg", "pdf"}))
-      ->capture_default_str();
-  app.footer("\n" + figure_list() + R"(
+      ->check(one_of(figure_names()));
+  add_choice(app, "--format", choice->format, "file format", {"png", "svg", "pdf"});
+  app.footer(figure_list() + R"(
 Examples:
   netpocket plot case1.h5 -o figures
   netpocket plot case1.h5 case2.h5 case3.h5 -o figures --figure figure09_force --format svg

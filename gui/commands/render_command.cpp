@@ -13,8 +13,8 @@
 namespace netpocket {
 namespace {
 
-constexpr const char* kExamples = R"(
-Needs no display. Without --times, --fps or --every: 25 pictures a second, and six panels on a sheet.
+constexpr const char* kExamples =
+    R"(Needs no display. Without --times, --fps or --every: 25 pictures a second, and six panels on a sheet.
 
 Examples:
   netpocket render case1.h5 -o frames --fps 25 --video case1.mp4
@@ -109,6 +109,9 @@ void render_pictures(const Recording& recording, const RenderChoice& choice, con
 }
 
 ExitCode render(const RenderChoice& choice) {
+  if (choice.folder.empty() && choice.sheet.empty() && choice.video.empty()) {
+    throw CommandError(ExitCode::usage, "nothing to write: give --output, --sheet or --video");
+  }
   const Recording recording = open_recording(choice.recording);
   check_times(recording, choice.times);
   if (!choice.folder.empty()) make_output_folder(choice.folder);
@@ -125,27 +128,34 @@ ExitCode render(const RenderChoice& choice) {
 }
 
 void add_outputs(CLI::App& app, RenderChoice& choice) {
-  CLI::Option_group& outputs = *app.add_option_group("Outputs");
-  outputs.add_option("-o,--output", choice.folder, "folder for pictures: 0000.png, 0001.png, ...")->type_name("DIR");
-  outputs.add_option("--sheet", choice.sheet, "one picture with a labelled panel for each time")->type_name("FILE.png");
-  outputs.add_option("--video", choice.video, "video of the pictures (needs ffmpeg)")->type_name("FILE.mp4");
-  outputs.require_option(1, 3);
+  const char* const group = "What to write (at least one)";
+  app.add_option("-o,--output", choice.folder, "folder for pictures: 0000.png, 0001.png, ...")
+      ->type_name("DIR")
+      ->group(group);
+  app.add_option("--sheet", choice.sheet, "one picture with a labelled panel for each time")
+      ->type_name("FILE.png")
+      ->group(group);
+  app.add_option("--video", choice.video, "video of the pictures (needs ffmpeg)")->type_name("FILE.mp4")->group(group);
 }
 
 void add_times(CLI::App& app, RenderChoice& choice) {
-  CLI::Option_group& group = *app.add_option_group("Times");
-  group.add_option("--times", choice.times, "simulated times, s")
-      ->type_name("T,T,...")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->check(number_not_below_zero());
-  group.add_option("--fps", choice.rate, "pictures per simulated second, and per second of the video")
-      ->type_name("N")
-      ->check(positive_number());
-  group.add_option("--every", choice.every, "every Nth recorded frame")
-      ->type_name("N")
-      ->check(whole_number(1, 1000000));
-  group.require_option(0, 1);
+  const char* const group = "Which moments (at most one)";
+  CLI::Option* times = app.add_option("--times", choice.times, "simulated times, s, such as 0,2.5,5")
+                           ->type_name("T")
+                           ->delimiter(',')
+                           ->allow_extra_args(false)
+                           ->check(number_not_below_zero())
+                           ->group(group);
+  CLI::Option* rate = app.add_option("--fps", choice.rate, "pictures per simulated second, and per second of the video")
+                          ->type_name("N")
+                          ->check(positive_number())
+                          ->group(group);
+  CLI::Option* every = app.add_option("--every", choice.every, "every Nth recorded frame")
+                           ->type_name("N")
+                           ->check(whole_number(1, 1000000))
+                           ->group(group);
+  times->excludes(rate)->excludes(every);
+  rate->excludes(every);
 }
 
 void add_look(CLI::App& app, RenderChoice& choice) {
@@ -167,15 +177,10 @@ void add_look(CLI::App& app, RenderChoice& choice) {
       ->type_name("N")
       ->check(whole_number(1, 4))
       ->capture_default_str();
-  const auto add_choice = [&app](const char* option, std::string& value, const char* help,
-                                 const std::vector<std::string>& names) {
-    app.add_option(option, value, help)->type_name("")->check(one_of(names))->capture_default_str();
-  };
-  add_choice("--camera", choice.camera, "where from", {"iso", "side", "front", "mouth", "follow"});
-  add_choice("--color-by", choice.color_by, "colour of cords and rods", {"none", "tension", "strain", "speed"});
-  add_choice("--background", choice.background, "behind the scene", {"white", "space"});
-  add_choice("--backend", choice.backend, "OpenGL without a display; see netpocket backends",
-             {"auto", "osmesa", "egl"});
+  add_choice(app, "--camera", choice.camera, "where from", {"iso", "side", "front", "mouth", "follow"});
+  add_choice(app, "--color-by", choice.color_by, "colour of cords and rods", {"none", "tension", "strain", "speed"});
+  add_choice(app, "--background", choice.background, "behind the scene", {"white", "space"});
+  add_choice(app, "--backend", choice.backend, "OpenGL without a display", {"auto", "osmesa", "egl"});
   app.add_option("--title", choice.title, "above each picture")->type_name("TEXT");
 }
 
@@ -183,7 +188,7 @@ void add_look(CLI::App& app, RenderChoice& choice) {
 
 Action declare_render(CLI::App& app) {
   const auto choice = std::make_shared<RenderChoice>();
-  app.add_option("RUN.h5", choice->recording, "recording to draw")->required();
+  app.add_option("RUN.h5", choice->recording, "recording to draw")->required()->type_name("FILE");
   add_outputs(app, *choice);
   add_times(app, *choice);
   add_look(app, *choice);

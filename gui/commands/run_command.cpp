@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 
 #include "engine/dynamics/run.h"
@@ -14,8 +15,7 @@
 namespace netpocket {
 namespace {
 
-constexpr const char* kExamples = R"(
-Examples:
+constexpr const char* kExamples = R"(Examples:
   netpocket run scenarios/case1.toml -o case1.h5
   netpocket run scenarios/case1.toml -o fast.h5 --set closing.duration=5 --until 15
 
@@ -59,6 +59,10 @@ ExitCode run(const RunChoice& choice, const std::string& command_line) {
   ScenarioChoice scenario_choice = choice.scenario;
   if (choice.until > 0) scenario_choice.settings.push_back(fmt::format("output.end_time={}", choice.until));
   const Scenario scenario = load_scenario(scenario_choice);
+  require_writable(choice.output);
+  if (!choice.overwrite && std::filesystem::exists(choice.output)) {
+    throw CommandError(ExitCode::io, fmt::format("\"{}\" exists already; --overwrite replaces it", choice.output));
+  }
   const RunOptions options = {choice.threads, choice.overwrite, program_version(), program_commit(), command_line};
   const Interrupt interrupt;
   const auto result = [&] {

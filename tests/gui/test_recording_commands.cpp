@@ -1,0 +1,132 @@
+// info, findings, export, plot and render on a short recording of case 1.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tests/gui/program.h"
+
+namespace netpocket {
+namespace {
+
+using nlohmann::json;
+
+std::string content(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+void expect_ok(const std::vector<std::string>& arguments) {
+  const auto result = run_program(arguments);
+  EXPECT_EQ(result.exit_code, 0) << result.error;
+}
+
+// Width and height as a PNG's header states them; 0 when it is no PNG.
+std::pair<int, int> png_size(const std::string& path) {
+  const std::string bytes = content(path);
+  if (bytes.size() < 24 || bytes.substr(1, 3) != "PNG") return {};
+  const auto number = [&](std::size_t at) {
+    int value = 0;
+    for (std::size_t i = at; i < at + 4; ++i) value = 256 * value + static_cast<unsigned char>(bytes[i]);
+    return value;
+  };
+  return {number(16), number(20)};
+}
+
+TEST(Info, JsonHasThePromisedKeys) {
+  const TestFolder folder;
+  const auto result = run_program({"info", short_recording(folder), "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.error;
+  const json info = json::parse(result.out);
+  EXPECT_EQ(info.at("scenario"), "case1");
+  EXPECT_EQ(info.at("reason"), "finished");
+  // To a step, about 1e-4 s.
+  EXPECT_NEAR(info.at("simulated_seconds").get<double>(), 0.1, 1e-4);
+  for (const char* key : {"wall_seconds", "cpu_seconds", "elements", "steps"}) EXPECT_GT(info.at(key), 0) << key;
+  EXPECT_EQ(info.at("captured"), false);
+  EXPECT_TRUE(info.at("first_contact_time").is_null());
+  for (const char* key : {"x", "y", "z"}) {
+    EXPECT_EQ(info.at("peak_force").at(key), 0) << key;
+    EXPECT_EQ(info.at("impulse").at(key), 0) << key;
+  }
+  EXPECT_TRUE(info.at("peak_force").contains("time_y"));
+  // The audit's bound of a whole run.
+  EXPECT_LT(info.at("energy_error"), 0.01);
+}
+
+TEST(Info, TextNamesTheScenario) {
+  const TestFolder folder;
+  const auto result = run_program({"info", short_recording(folder)});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_TRUE(result.out.starts_with("scenario       case1\n")) << result.out;
+}
+
+TEST(Findings, JsonHasElevenForEachRun) {
+  const TestFolder folder;
+  const std::string recording = short_recording(folder);
+  const auto result = run_program({"findings", recording, recording, "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.error;
+  const json findings = json::parse(result.out).at("findings");
+  ASSERT_EQ(findings.size(), 11u);
+  for (std::size_t i = 0; i < 11; ++i) {
+    EXPECT_EQ(findings[i].at("id"), fmt::format("F{}", i + 1));
+    EXPECT_FALSE(findings[i].at("text").get<std::string>().empty());
+    ASSERT_EQ(findings[i].at("cases").size(), 2u);
+    EXPECT_EQ(findings[i].at("cases")[0].at("name"), "case1");
+    EXPECT_TRUE(findings[i].at("cases")[0].at("holds").is_boolean());
+  }
+}
+
+TEST(Export, CsvHasARowForEachFrame) {
+  const TestFolder folder;
+  expect_ok({"export", short_recording(folder), "--csv", folder.file("new/folder")});
+  const std::string csv = content(folder.file("new/folder/channels.csv"));
+  EXPECT_TRUE(csv.starts_with("time,closing_length,closing_speed,")) << csv.substr(0, 100);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 7);  // names, and frames at 0, 0.02, ... 0.1 s
+}
+
+TEST(Export, VtpSeriesHasATimeForEachFrame) {
+  const TestFolder folder;
+  expect_ok({"export", short_recording(folder), "--vtp", folder.file("vtp"), "--quiet"});
+  const std::string series = content(folder.file("vtp/netpocket.pvd"));
+  EXPECT_NE(series.find("lines_0005.vtp"), series.npos) << series;
+  EXPECT_EQ(series.find("lines_0006.vtp"), series.npos) << series;
+  EXPECT_TRUE(std::filesystem::exists(folder.file("vtp/lines_0005.vtp")));
+}
+
+TEST(Plot, WritesTheFigureAskedFor) {
+  const TestFolder folder;
+  expect_ok({"plot", short_recording(folder), "-o", folder.file("figures"), "--figure", "figure03_closing", "--format",
+             "svg"});
+  EXPECT_NE(content(folder.file("figures/figure03_closing.svg")).find("<svg"), std::string::npos);
+}
+
+TEST(Render, PicturesSheetAndVideoWithoutADisplay) {
+  const TestFolder folder;
+  const std::string recording = short_recording(folder);
+  expect_ok({"render", recording, "-o", folder.file("frames"), "--times", "0,0.04,0.1", "--size", "320x180", "--sheet",
+             folder.file("sheet.png"), "--panel-size", "160x120", "--video", folder.file("video.mp4"), "--quiet"});
+  for (const char* name : {"frames/0000.png", "frames/0001.png", "frames/0002.png"}) {
+    EXPECT_EQ(png_size(folder.file(name)), std::pair(320, 180)) << name;
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder.file("frames/0003.png")));
+  EXPECT_GT(png_size(folder.file("sheet.png")).first, 3 * 160);
+  EXPECT_EQ(content(folder.file("video.mp4")).substr(4, 4), "ftyp");
+}
+
+TEST(Render, EveryNthFrameFromEveryCamera) {
+  const TestFolder folder;
+  const std::string recording = short_recording(folder);
+  for (const std::string camera : {"iso", "side", "front", "mouth", "follow"}) {
+    expect_ok({"render", recording, "-o", folder.file(camera), "--every", "5", "--size", "160x90", "--camera", camera,
+               "--color-by", "speed", "--background", "space", "--backend", "osmesa", "--quiet"});
+    EXPECT_EQ(png_size(folder.file(camera + "/0001.png")), std::pair(160, 90));
+    EXPECT_FALSE(std::filesystem::exists(folder.file(camera + "/0002.png")));
+  }
+}
+
+}  // namespace
+}  // namespace netpocket
