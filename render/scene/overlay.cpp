@@ -57,21 +57,20 @@ void OverlayShapes::add_triangle(const Eigen::Vector2d& a, const Eigen::Vector2d
 namespace {
 
 // DejaVu Sans, as in the figures; where it is not installed, the font built into VTK.
-void use_scene_font(vtkTextProperty& property) {
-  static const char* const kFile = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
-  static const bool installed = std::filesystem::exists(kFile);
-  if (!installed) return;
+void use_scene_font(vtkTextProperty& property, bool bold) {
+  const char* file =
+      bold ? "/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf" : "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+  if (!std::filesystem::exists(file)) return property.SetBold(bold);
   property.SetFontFamily(VTK_FONT_FILE);
-  property.SetFontFile(kFile);
+  property.SetFontFile(file);
 }
 
 }  // namespace
 
 OverlayText::OverlayText(const Color& color, Align align, bool bold) {
   auto* property = actor_->GetTextProperty();
-  use_scene_font(*property);
+  use_scene_font(*property, bold);
   property->SetColor(color[0], color[1], color[2]);
-  property->SetBold(bold);
   property->SetVerticalJustificationToCentered();
   property->SetJustification(align == Align::left     ? VTK_TEXT_LEFT
                              : align == Align::center ? VTK_TEXT_CENTERED

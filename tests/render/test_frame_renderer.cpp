@@ -122,6 +122,17 @@ TEST_F(FrameRendererTest, TurnedTargetsLookDifferent) {
   }
 }
 
+// FXAA only softens edges; with multisampling on it would draw black.
+TEST_F(FrameRendererTest, FastSmoothingSoftensEdgesOnly) {
+  auto options = small();
+  options.supersampling = 1;
+  const auto jagged = render(options, open_);
+  options.scene.fast_smoothing = true;
+  const auto smooth = render(options, open_);
+  EXPECT_GT(pictures::differing_fraction(jagged, smooth, 4), 0.01);
+  EXPECT_LT(pictures::differing_fraction(jagged, smooth, 64), 0.08);
+}
+
 TEST_F(FrameRendererTest, RefusesImpossibleSizes) {
   auto options = small();
   options.width = 8;
