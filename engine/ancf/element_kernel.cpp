@@ -13,37 +13,38 @@ using namespace lanes;
 // Guards 0/0 where a bending mode vanishes, as in mean_strain_element.h.
 constexpr double kVanishing = kBendingRoundOff * kBendingRoundOff;
 
-NETPOCKET_INLINE Lanes load_component(const double* array, const ElementBlock& block, int corner) {
-  if (block.base[corner] >= 0) return rotated(load(array + block.base[corner]), block.rotation[corner]);
-  return gather(array, block.slot[corner]);
+NETPOCKET_INLINE Lanes load_component(const double* array, const ElementBlock& block, int corner, int part) {
+  if (block.base[corner] >= 0) return load_rotated(array + block.base[corner], part, block.rotation[corner]);
+  return gather(array, block.slot[corner], part);
 }
 
-NETPOCKET_INLINE Lanes3 load_slot(const SlotArrays& arrays, const ElementBlock& block, int corner) {
-  return {load_component(arrays.x, block, corner), load_component(arrays.y, block, corner),
-          load_component(arrays.z, block, corner)};
+NETPOCKET_INLINE Lanes3 load_slot(const SlotArrays& arrays, const ElementBlock& block, int corner, int part) {
+  return {load_component(arrays.x, block, corner, part), load_component(arrays.y, block, corner, part),
+          load_component(arrays.z, block, corner, part)};
 }
 
-NETPOCKET_INLINE void store3(double* rows, const Lanes3& value) {
-  store(rows, value.x);
-  store(rows + kLanes, value.y);
-  store(rows + 2 * kLanes, value.z);
+// `row`: the first of the three force rows of a corner.
+NETPOCKET_INLINE void store3(double* out, int row, int part, const Lanes3& value) {
+  store(out + row * kBlock, part, value.x);
+  store(out + (row + 1) * kBlock, part, value.y);
+  store(out + (row + 2) * kBlock, part, value.z);
 }
 
 // Returns the dissipated power of each lane.
 template <bool kVariable>
-NETPOCKET_INLINE Lanes block_forces(const ElementBlock& block, const SlotArrays& coordinates,
-                                    const SlotArrays& velocities, double* out) {
-  const Lanes length = load(block.length);
-  const Lanes inverse_length = load(block.inverse_length);
+NETPOCKET_INLINE Lanes part_forces(const ElementBlock& block, int part, const SlotArrays& coordinates,
+                                   const SlotArrays& velocities, double* out) {
+  const Lanes length = load(block.length, part);
+  const Lanes inverse_length = load(block.inverse_length, part);
 
-  const Lanes3 r1 = load_slot(coordinates, block, 0), g1 = load_slot(coordinates, block, 1);
-  const Lanes3 r2 = load_slot(coordinates, block, 2), g2 = load_slot(coordinates, block, 3);
+  const Lanes3 r1 = load_slot(coordinates, block, 0, part), g1 = load_slot(coordinates, block, 1, part);
+  const Lanes3 r2 = load_slot(coordinates, block, 2, part), g2 = load_slot(coordinates, block, 3, part);
   const Lanes3 e = inverse_length * (r2 - r1);
   const Lanes3 h1 = g1 - e, h2 = g2 - e;
   const Lanes3 s = h1 - h2, a = h1 + h2;
 
-  const Lanes3 v1 = load_slot(velocities, block, 0), w1 = load_slot(velocities, block, 1);
-  const Lanes3 v2 = load_slot(velocities, block, 2), w2 = load_slot(velocities, block, 3);
+  const Lanes3 v1 = load_slot(velocities, block, 0, part), w1 = load_slot(velocities, block, 1, part);
+  const Lanes3 v2 = load_slot(velocities, block, 2, part), w2 = load_slot(velocities, block, 3, part);
   const Lanes3 e_rate = inverse_length * (v2 - v1);
 
   // Derivatives of the mean strain: with respect to e at fixed g (the force on r2 is N times it), g1/L and g2/L.
@@ -57,17 +58,18 @@ NETPOCKET_INLINE Lanes block_forces(const ElementBlock& block, const SlotArrays&
   Lanes3 s_rate = w1 - w2, a_rate = (w1 + w2) - broadcast(2.0) * e_rate;
   if constexpr (kVariable) {
     // e = (r2 - r1)/L also changes because L does.
-    const Lanes length_rate = load(block.length_rate);
+    const Lanes length_rate = load(block.length_rate, part);
     strain_rate = strain_rate - length_rate * dot(strain_e, e);
     a_rate = a_rate + (broadcast(2.0) * length_rate) * e;
   }
 
-  const Lanes stiffness = strain < broadcast(0.0) ? load(block.compression_stiffness) : load(block.axial_stiffness);
-  const Lanes viscous_tension = (stiffness * load(block.axial_damping)) * strain_rate;
+  const Lanes stiffness =
+      strain < broadcast(0.0) ? load(block.compression_stiffness, part) : load(block.axial_stiffness, part);
+  const Lanes viscous_tension = (stiffness * load(block.axial_damping, part)) * strain_rate;
   const Lanes tension = stiffness * strain + viscous_tension;
 
-  const Lanes bending = load(block.bending_stiffness);
-  const Lanes damping = load(block.bending_damping);
+  const Lanes bending = load(block.bending_stiffness, part);
+  const Lanes damping = load(block.bending_damping, part);
   // Relative rates of |s| and |a|: two quotients from one division, which is by far the slowest operation here.
   const Lanes s_square = dot(s, s) + broadcast(kVanishing), a_square = dot(a, a) + broadcast(kVanishing);
   const Lanes reciprocal = broadcast(1.0) / (s_square * a_square);
@@ -78,12 +80,11 @@ NETPOCKET_INLINE Lanes block_forces(const ElementBlock& block, const SlotArrays&
 
   const Lanes tension_length = tension * length;
   const Lanes3 force2 = tension * strain_e - (broadcast(2.0) * inverse_length) * moment_a;
-  store3(out, broadcast(-1.0) * force2);
-  store3(out + 3 * kLanes, tension_length * strain_g1 + (moment_s + moment_a));
-  store3(out + 6 * kLanes, tension_length * strain_g2 + (moment_a - moment_s));
+  store3(out, 0, part, broadcast(-1.0) * force2);
+  store3(out, 3, part, tension_length * strain_g1 + (moment_s + moment_a));
+  store3(out, 6, part, tension_length * strain_g2 + (moment_a - moment_s));
 
-  const Lanes bending_power =
-      (bending * damping) * (s_growth * s_work + broadcast(3.0) * (a_growth * a_work));
+  const Lanes bending_power = (bending * damping) * (s_growth * s_work + broadcast(3.0) * (a_growth * a_work));
   return viscous_tension * strain_rate * length + bending_power;
 }
 
@@ -91,14 +92,16 @@ NETPOCKET_INLINE Lanes block_forces(const ElementBlock& block, const SlotArrays&
 
 double element_forces(const ElementBlock* blocks, const std::uint8_t* variable, int first, int last,
                       const SlotArrays& coordinates, const SlotArrays& velocities, double* forces) {
-  Lanes power{};
+  Lanes power[kParts] = {};
   for (int i = first; i < last; ++i) {
-    double* out = forces + static_cast<std::ptrdiff_t>(i) * kForceRows * kLanes;
-    power = power + (variable[i] ? block_forces<true>(blocks[i], coordinates, velocities, out)
-                                 : block_forces<false>(blocks[i], coordinates, velocities, out));
+    double* out = forces + static_cast<std::ptrdiff_t>(i) * kForceRows * kBlock;
+    for (int part = 0; part < kParts; ++part) {
+      power[part] = power[part] + (variable[i] ? part_forces<true>(blocks[i], part, coordinates, velocities, out)
+                                               : part_forces<false>(blocks[i], part, coordinates, velocities, out));
+    }
   }
   double sum = 0;
-  for (int i = 0; i < kLanes; ++i) sum += power[i];
+  for (int lane = 0; lane < kBlock; ++lane) sum += power[lane / kWidth][lane % kWidth];
   return sum;
 }
 

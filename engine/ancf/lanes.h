@@ -1,7 +1,8 @@
 #pragma once
-// Eight doubles that are computed at once: one value for each of eight cable elements or coordinates. The compiler maps
-// them to one AVX-512, two AVX2 or four SSE2 registers. Only additions, multiplications and divisions are used, each
-// rounded on its own (-ffp-contract=off), so that every instruction set gives the same bits.
+// A few doubles that are computed at once: one value for each of several cable elements or coordinates, as many as one
+// register of the instruction set holds. Data comes in blocks of eight; a kernel goes through a block in parts of
+// kWidth lanes. Only additions, multiplications and divisions are used, each rounded on its own (-ffp-contract=off), so
+// that every instruction set gives the same bits.
 //
 // To be included only by sources that are compiled once per instruction set; everything here has internal linkage so
 // that no copy compiled for a newer processor can end up in code that an older one runs.
@@ -11,41 +12,43 @@
 namespace netpocket::lanes {
 namespace {
 
-constexpr int kLanes = 8;
-using Lanes [[gnu::vector_size(64)]] = double;
-using LaneMask [[gnu::vector_size(64)]] = std::int64_t;
+constexpr int kBlock = 8;  // lanes of a block of data
+#if defined(__AVX512F__)
+constexpr int kWidth = 8;
+#elif defined(__AVX__)
+constexpr int kWidth = 4;
+#else
+constexpr int kWidth = 2;
+#endif
+constexpr int kParts = kBlock / kWidth;
+
+using Lanes [[gnu::vector_size(kWidth * sizeof(double))]] = double;
+using UnalignedLanes [[gnu::vector_size(kWidth * sizeof(double)), gnu::aligned(sizeof(double))]] = double;
 
 #define NETPOCKET_INLINE [[gnu::always_inline]] static inline
 
-NETPOCKET_INLINE Lanes load(const double* aligned) { return *reinterpret_cast<const Lanes*>(aligned); }
-NETPOCKET_INLINE void store(double* aligned, const Lanes& value) { *reinterpret_cast<Lanes*>(aligned) = value; }
+// Part `part` of the block of eight that starts at `block` (64-byte aligned).
+NETPOCKET_INLINE Lanes load(const double* block, int part) {
+  return *reinterpret_cast<const Lanes*>(block + part * kWidth);
+}
+NETPOCKET_INLINE void store(double* block, int part, const Lanes& value) {
+  *reinterpret_cast<Lanes*>(block + part * kWidth) = value;
+}
 NETPOCKET_INLINE Lanes broadcast(double value) { return Lanes{} + value; }
 
-// Lane i receives value[(i + rotation) mod 8].
-NETPOCKET_INLINE Lanes rotated(const Lanes& value, int rotation) {
-  switch (rotation) {
-    case 1:
-      return __builtin_shufflevector(value, value, 1, 2, 3, 4, 5, 6, 7, 0);
-    case 2:
-      return __builtin_shufflevector(value, value, 2, 3, 4, 5, 6, 7, 0, 1);
-    case 3:
-      return __builtin_shufflevector(value, value, 3, 4, 5, 6, 7, 0, 1, 2);
-    case 4:
-      return __builtin_shufflevector(value, value, 4, 5, 6, 7, 0, 1, 2, 3);
-    case 5:
-      return __builtin_shufflevector(value, value, 5, 6, 7, 0, 1, 2, 3, 4);
-    case 6:
-      return __builtin_shufflevector(value, value, 6, 7, 0, 1, 2, 3, 4, 5);
-    case 7:
-      return __builtin_shufflevector(value, value, 7, 0, 1, 2, 3, 4, 5, 6);
-    default:
-      return value;
-  }
+// Part `part` of a block read in turned order: lane i of the block's eight receives block[(i + rotation) mod 8].
+NETPOCKET_INLINE Lanes load_rotated(const double* block, int part, int rotation) {
+  if (rotation == 0) return load(block, part);
+  const int first = (part * kWidth + rotation) % kBlock;
+  if (first + kWidth <= kBlock) return *reinterpret_cast<const UnalignedLanes*>(block + first);
+  Lanes value;
+  for (int i = 0; i < kWidth; ++i) value[i] = block[(first + i) % kBlock];
+  return value;
 }
 
-NETPOCKET_INLINE Lanes gather(const double* base, const std::int32_t* index) {
+NETPOCKET_INLINE Lanes gather(const double* base, const std::int32_t* index, int part) {
   Lanes value;
-  for (int i = 0; i < kLanes; ++i) value[i] = base[index[i]];
+  for (int i = 0; i < kWidth; ++i) value[i] = base[index[part * kWidth + i]];
   return value;
 }
 

@@ -14,54 +14,58 @@ constexpr int kFirstRow[4] = {0, 3, 0, 6};
 
 NETPOCKET_INLINE const double* rows_of(const UpdateView& view, std::int32_t element_block, Corner corner) {
   return view.element_forces +
-         (static_cast<std::ptrdiff_t>(element_block) * kForceRows + kFirstRow[static_cast<int>(corner)]) * kLanes;
+         (static_cast<std::ptrdiff_t>(element_block) * kForceRows + kFirstRow[static_cast<int>(corner)]) * kBlock;
 }
 
-NETPOCKET_INLINE void add_regular(const UpdateView& view, const SlotBlock& block, Lanes3& force) {
+NETPOCKET_INLINE void add_regular(const UpdateView& view, const SlotBlock& block, int part, Lanes3& force) {
   const BlockContribution* contribution = view.block_contributions + block.first;
   for (std::int32_t i = 0; i < block.count; ++i, ++contribution) {
     const double* rows = rows_of(view, contribution->element_block, contribution->corner);
-    const Lanes3 resisting = {rotated(load(rows), contribution->rotation),
-                              rotated(load(rows + kLanes), contribution->rotation),
-                              rotated(load(rows + 2 * kLanes), contribution->rotation)};
+    const Lanes3 resisting = {load_rotated(rows, part, contribution->rotation),
+                              load_rotated(rows + kBlock, part, contribution->rotation),
+                              load_rotated(rows + 2 * kBlock, part, contribution->rotation)};
     force = contribution->corner == Corner::position2 ? force + resisting : force - resisting;
   }
 }
 
-NETPOCKET_INLINE void add_irregular(const UpdateView& view, const SlotBlock& block, Lanes3& force) {
+NETPOCKET_INLINE void add_irregular(const UpdateView& view, const SlotBlock& block, int part, Lanes3& force) {
   const LaneContribution* contribution = view.lane_contributions + block.first;
   for (std::int32_t i = 0; i < block.count; ++i, ++contribution) {
+    if (contribution->slot_lane / kWidth != part) continue;
     const double* rows = rows_of(view, contribution->element_block, contribution->corner) + contribution->element_lane;
     const double sign = contribution->corner == Corner::position2 ? 1.0 : -1.0;
-    const int lane = contribution->slot_lane;
+    const int lane = contribution->slot_lane % kWidth;
     force.x[lane] += sign * rows[0];
-    force.y[lane] += sign * rows[kLanes];
-    force.z[lane] += sign * rows[2 * kLanes];
+    force.y[lane] += sign * rows[kBlock];
+    force.z[lane] += sign * rows[2 * kBlock];
   }
 }
 
-NETPOCKET_INLINE void move(double* coordinate, double* velocity, const Lanes& change, const Lanes& drift) {
-  const Lanes v = load(velocity) + change;
-  store(velocity, v);
-  store(coordinate, load(coordinate) + drift * v);
+NETPOCKET_INLINE void move(double* coordinate, double* velocity, int part, const Lanes& change, const Lanes& drift) {
+  const Lanes v = load(velocity, part) + change;
+  store(velocity, part, v);
+  store(coordinate, part, load(coordinate, part) + drift * v);
 }
 
 }  // namespace
 
 void update(const UpdateView& view, int first, int last, double kick, double drift) {
   for (int i = first; i < last; ++i) {
-    const std::ptrdiff_t slot = static_cast<std::ptrdiff_t>(i) * kLanes;
+    const std::ptrdiff_t slot = static_cast<std::ptrdiff_t>(i) * kBlock;
     const SlotBlock& block = view.blocks[i];
-    Lanes3 force = {load(view.applied.x + slot), load(view.applied.y + slot), load(view.applied.z + slot)};
-    if (block.regular) {
-      add_regular(view, block, force);
-    } else {
-      add_irregular(view, block, force);
+    for (int part = 0; part < kParts; ++part) {
+      Lanes3 force = {load(view.applied.x + slot, part), load(view.applied.y + slot, part),
+                      load(view.applied.z + slot, part)};
+      if (block.regular) {
+        add_regular(view, block, part, force);
+      } else {
+        add_irregular(view, block, part, force);
+      }
+      const Lanes gain = broadcast(kick) * load(view.inverse_mass + slot, part);
+      move(view.coordinates.x + slot, view.velocities.x + slot, part, gain * force.x, broadcast(drift));
+      move(view.coordinates.y + slot, view.velocities.y + slot, part, gain * force.y, broadcast(drift));
+      move(view.coordinates.z + slot, view.velocities.z + slot, part, gain * force.z, broadcast(drift));
     }
-    const Lanes gain = broadcast(kick) * load(view.inverse_mass + slot);
-    move(view.coordinates.x + slot, view.velocities.x + slot, gain * force.x, broadcast(drift));
-    move(view.coordinates.y + slot, view.velocities.y + slot, gain * force.y, broadcast(drift));
-    move(view.coordinates.z + slot, view.velocities.z + slot, gain * force.z, broadcast(drift));
   }
 }
 
