@@ -26,8 +26,8 @@ std::vector<PanelFrame> draw_figure(const Figure& figure, cairo_t* context, doub
   const TextStyle title = shrunk_to_fit(context, figure.title, style::kFigureTitle, width - 2 * style::kOuterMargin);
   draw_text(context, figure.title, title, width / 2, style::kOuterMargin + kCapHeight * style::kFigureTitle.size,
             TextAlign::centre);
-  const Box area{style::kOuterMargin, style::kOuterMargin + title_height, width - 2 * style::kOuterMargin,
-                 height - 2 * style::kOuterMargin - title_height};
+  const PlotBox area{style::kOuterMargin, style::kOuterMargin + title_height, width - 2 * style::kOuterMargin,
+                     height - 2 * style::kOuterMargin - title_height};
   const std::vector<PanelLayout> layouts = lay_out_panels(figure, context, area);
   std::vector<PanelFrame> frames;
   for (std::size_t i = 0; i < layouts.size(); ++i) {

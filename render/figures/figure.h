@@ -66,7 +66,7 @@ struct Figure {
 
 // Where a panel was drawn: its frame in the context's user space, and what the frame's edges stand for.
 struct PanelFrame {
-  Box box;
+  PlotBox box;
   AxisLimits x;
   AxisLimits y;
 };

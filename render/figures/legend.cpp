@@ -53,16 +53,16 @@ class Legend {
   std::vector<double> text_widths_;
 };
 
-double hidden_length(const std::vector<Polyline>& lines, const Box& box) {
+double hidden_length(const std::vector<Polyline>& lines, const PlotBox& box) {
   constexpr double kClearance = 1.5;
-  const Box wider{box.x - kClearance, box.y - kClearance, box.width + 2 * kClearance, box.height + 2 * kClearance};
+  const PlotBox wider{box.x - kClearance, box.y - kClearance, box.width + 2 * kClearance, box.height + 2 * kClearance};
   double length = 0;
   for (const Polyline& line : lines) length += length_inside(line, wider);
   return length;
 }
 
 // Readers look for a legend in a corner, the upper right one first.
-double distance_from_corner(const Box& box, const Box& free) {
+double distance_from_corner(const PlotBox& box, const PlotBox& free) {
   const double right = free.right() - box.right();
   const double left = box.x - free.x;
   const double top = box.y - free.y;
@@ -71,7 +71,7 @@ double distance_from_corner(const Box& box, const Box& free) {
 }
 
 // A hidden stretch of curve weighs more than any way to a corner; one column reads best.
-double cost(const LegendPlace& place, const Box& free) {
+double cost(const LegendPlace& place, const PlotBox& free) {
   return 1000 * place.hidden + distance_from_corner(place.box, free) + static_cast<double>(place.columns);
 }
 
@@ -81,7 +81,7 @@ void draw_key(cairo_t* context, const Curve& curve, double x, double y) {
   if (curve.marker != Marker::none) draw_marker(context, curve, {x + kKeyLength / 2, y});
 }
 
-void paint_background(cairo_t* context, const Box& box) {
+void paint_background(cairo_t* context, const PlotBox& box) {
   cairo_rectangle(context, box.x, box.y, box.width, box.height);
   cairo_set_source_rgba(context, 1, 1, 1, 0.85);
   cairo_fill_preserve(context);
@@ -93,7 +93,7 @@ void paint_background(cairo_t* context, const Box& box) {
 }  // namespace
 
 LegendPlace place_legend(cairo_t* context, const std::vector<Curve>& curves, const std::vector<Polyline>& lines,
-                         const Box& free) {
+                         const PlotBox& free) {
   const Legend legend(context, curves);
   LegendPlace best;
   for (std::size_t columns = legend.size(); columns > 0; --columns) {

@@ -12,7 +12,7 @@ namespace netpocket {
 
 // Where a legend goes, and how its entries are arranged.
 struct LegendPlace {
-  Box box;
+  PlotBox box;
   std::size_t columns = 1;
   double hidden = 0;  // points of curve behind the legend
 
@@ -22,7 +22,7 @@ struct LegendPlace {
 // The best place inside `free`, the part of a frame open to a legend, for the labelled curves. `lines` is what the
 // curves look like on paper. Empty when no curve has a label.
 LegendPlace place_legend(cairo_t* context, const std::vector<Curve>& curves, const std::vector<Polyline>& lines,
-                         const Box& free);
+                         const PlotBox& free);
 
 // Height of the legend with as many columns as the width allows.
 double flattest_legend_height(cairo_t* context, const std::vector<Curve>& curves, double width);

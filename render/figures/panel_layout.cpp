@@ -94,7 +94,7 @@ double title_row_height(const Figure& figure) {
 
 class GridLayout {
  public:
-  GridLayout(const Figure& figure, cairo_t* context, const Box& area)
+  GridLayout(const Figure& figure, cairo_t* context, const PlotBox& area)
       : figure_(figure), context_(context), area_(area), ranges_(data_ranges(figure)) {
     const std::size_t rows = (figure.panels.size() + columns_ - 1) / columns_;
     cell_height_ = area.height / static_cast<double>(std::max<std::size_t>(rows, 1));
@@ -163,7 +163,7 @@ class GridLayout {
   }
 
   // The part of the frame clear of ticks and phase labels.
-  static Box free_for_legend(const Panel& panel, const Box& frame) {
+  static PlotBox free_for_legend(const Panel& panel, const PlotBox& frame) {
     const double inset = style::kMajorTick + 1;
     const double top = panel.phases.empty() ? inset : style::kPhaseStrip + 2;
     return {frame.x + inset, frame.y + top, frame.width - 2 * inset, frame.height - top - inset};
@@ -179,7 +179,7 @@ class GridLayout {
 
   const Figure& figure_;
   cairo_t* context_;
-  const Box area_;
+  const PlotBox area_;
   const std::vector<PanelRange> ranges_;
   const std::size_t columns_ = static_cast<std::size_t>(std::max(figure_.columns, 1));
   const double above_ = title_row_height(figure_);
@@ -195,7 +195,7 @@ PaperMap PanelLayout::map() const {
   return {frame.x - x_scale * x_limits.low, x_scale, frame.bottom() - y_scale * y_limits.low, y_scale};
 }
 
-std::vector<PanelLayout> lay_out_panels(const Figure& figure, cairo_t* context, const Box& area) {
+std::vector<PanelLayout> lay_out_panels(const Figure& figure, cairo_t* context, const PlotBox& area) {
   const GridLayout grid(figure, context, area);
   const std::vector<PanelLayout> tight = grid.lay_out(std::vector<double>(figure.panels.size(), 0));
   return grid.lay_out(grid.headroom_for_legends(tight));

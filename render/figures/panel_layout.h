@@ -13,7 +13,7 @@
 namespace netpocket {
 
 struct PanelLayout {
-  Box frame;
+  PlotBox frame;
   AxisLimits x_limits;
   AxisLimits y_limits;
   AxisTicks x_ticks;
@@ -27,6 +27,6 @@ struct PanelLayout {
 
 // The frames of all panels, aligned in rows and columns, with limits and ticks that suit their size. A legend that
 // would hide a curve gets room of its own above the curves.
-std::vector<PanelLayout> lay_out_panels(const Figure& figure, cairo_t* context, const Box& area);
+std::vector<PanelLayout> lay_out_panels(const Figure& figure, cairo_t* context, const PlotBox& area);
 
 }  // namespace netpocket

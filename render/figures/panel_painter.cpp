@@ -62,7 +62,7 @@ class PanelPainter {
   }
 
   // The part of a phase inside the limits, on paper.
-  Box phase_box(const PhaseBand& phase) const {
+  PlotBox phase_box(const PhaseBand& phase) const {
     const double left = paper_x(std::clamp(phase.begin, layout_.x_limits.low, layout_.x_limits.high));
     const double right = paper_x(std::clamp(phase.end, layout_.x_limits.low, layout_.x_limits.high));
     return {left, frame_.y, right - left, frame_.height};
@@ -70,7 +70,7 @@ class PanelPainter {
 
   void paint_phase_tints() {
     for (const PhaseBand& phase : panel_.phases) {
-      const Box box = phase_box(phase);
+      const PlotBox box = phase_box(phase);
       set_colour(lighter(phase.colour, 0.95));
       cairo_rectangle(context_, box.x, box.y, box.width, box.height);
       cairo_fill(context_);
@@ -81,7 +81,7 @@ class PanelPainter {
     const double dash[] = {3, 2};
     cairo_set_dash(context_, dash, 2, 0);
     for (const PhaseBand& phase : panel_.phases) {
-      const Box box = phase_box(phase);
+      const PlotBox box = phase_box(phase);
       if (box.x <= frame_.x || box.x >= frame_.right()) continue;
       line(box.x, frame_.y, box.x, frame_.bottom());
       stroke(kGrey, 0.6);
@@ -91,7 +91,7 @@ class PanelPainter {
 
   void paint_phase_labels() {
     for (const PhaseBand& phase : panel_.phases) {
-      const Box box = phase_box(phase);
+      const PlotBox box = phase_box(phase);
       TextStyle text = style::kPhaseLabel;
       text.colour = phase.colour;
       const bool meets_ticks = box.x <= frame_.x || box.right() >= frame_.right();
@@ -191,7 +191,7 @@ class PanelPainter {
   cairo_t* context_;
   const Panel& panel_;
   const PanelLayout& layout_;
-  const Box frame_;
+  const PlotBox frame_;
   const PaperMap map_;
 };
 

@@ -8,7 +8,7 @@ namespace netpocket {
 namespace {
 
 // Length of the part of a segment inside a box (Liang & Barsky 1984).
-double length_inside(const Point& a, const Point& b, const Box& box) {
+double length_inside(const Point& a, const Point& b, const PlotBox& box) {
   const bool misses = std::max(a.x, b.x) < box.x || std::min(a.x, b.x) > box.right() || std::max(a.y, b.y) < box.y ||
                       std::min(a.y, b.y) > box.bottom();
   if (misses) return 0;
@@ -46,7 +46,7 @@ std::vector<Polyline> map_curve(const std::vector<double>& x, const std::vector<
   return lines;
 }
 
-double length_inside(const Polyline& line, const Box& box) {
+double length_inside(const Polyline& line, const PlotBox& box) {
   double length = 0;
   for (std::size_t i = 1; i < line.size(); ++i) length += length_inside(line[i - 1], line[i], box);
   return length;

@@ -13,7 +13,7 @@ struct Point {
 };
 
 // Rectangle on paper; y grows downwards.
-struct Box {
+struct PlotBox {
   double x = 0;
   double y = 0;
   double width = 0;
@@ -39,7 +39,7 @@ struct PaperMap {
 std::vector<Polyline> map_curve(const std::vector<double>& x, const std::vector<double>& y, const PaperMap& map);
 
 // Length of the part of the line that lies inside the box.
-double length_inside(const Polyline& line, const Box& box);
+double length_inside(const Polyline& line, const PlotBox& box);
 
 // Keeps the first, lowest, highest and last of consecutive points in one column of the given width. A line through them
 // looks the same when a column is a quarter of a pixel wide (one pixel changes the edges of dense curves).

@@ -40,7 +40,7 @@ TEST(Decimate, LeavesSparseCurvesAlone) {
 }
 
 TEST(LengthInside, ClipsAtTheBox) {
-  const Box box{0, 0, 10, 10};
+  const PlotBox box{0, 0, 10, 10};
   EXPECT_DOUBLE_EQ(length_inside({{-5, 5}, {15, 5}}, box), 10);
   EXPECT_DOUBLE_EQ(length_inside({{2, 2}, {5, 6}}, box), 5);
   EXPECT_DOUBLE_EQ(length_inside({{-5, 12}, {15, 12}}, box), 0);
