@@ -184,10 +184,11 @@ struct Simulation::Impl {
   std::optional<RunStatus> diverged() const {
     const auto fault = system.fault();
     if (!fault) return std::nullopt;
+    const std::string advice = scenario.solver.time_step > 0
+                                   ? fmt::format("try a solver.time_step below {:.3g} s", time_step)
+                                   : fmt::format("try solver.safety below {}", scenario.solver.safety);
     return RunStatus{RunReason::diverged, system.time(),
-                     fmt::format("diverged at step {} (t = {:.4f} s): {}; try solver.safety below {} or a smaller "
-                                 "solver.time_step",
-                                 system.steps(), system.time(), *fault, scenario.solver.safety)};
+                     fmt::format("{} in step {} of {:.3g} s; {}", *fault, system.steps(), time_step, advice)};
   }
 };
 

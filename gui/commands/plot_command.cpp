@@ -4,7 +4,7 @@
 
 #include "gui/commands/command.h"
 #include "gui/commands/options.h"
-#include "gui/commands/run_series_of.h"
+#include "gui/commands/recordings.h"
 #include "render/figures/plot_figures.h"
 
 namespace netpocket {
@@ -41,7 +41,8 @@ Examples:
 
 )" + exit_code_help({ExitCode::bad_input, ExitCode::io, ExitCode::rendering}));
   return [choice](const std::string&) {
-    const std::vector<RunSeries> runs = run_series_of(choice->recordings);
+    const std::vector<Recording> recordings = open_recordings(choice->recordings);
+    const std::vector<RunSeries> runs = run_series(pointers(recordings));
     make_output_folder(choice->output);
     plot_figures(runs, choice->output, {figure_format(choice->format), choice->figures});
     return ExitCode::ok;
