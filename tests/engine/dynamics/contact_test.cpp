@@ -124,7 +124,7 @@ TEST_F(VerificationContact, RestitutionOfARod) {
     expect_relative(
         "rebound of a rod, c_r = " + std::to_string(restitution).substr(0, 3), rod.centre_velocity(system).y() / 0.1,
         clipped, 2e-2,
-        "Antypov & Elliott (2011) with the adhesive tail cut off (verification.md V5); the rod bends a little");
+        "Antypov & Elliott (2011) with the adhesive tail cut off (verification case V5); the rod bends a little");
   }
 }
 

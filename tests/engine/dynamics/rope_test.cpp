@@ -34,18 +34,19 @@ struct ReeledPendulum {
 class VerificationRope : public VerificationTest {
  protected:
   void expect_swing(double length, double rate, double at5, double at10) {
-    ReeledPendulum pendulum(length, rate, 0.01, 2);
+    ReeledPendulum pendulum(length, rate, 0.1, 2);
     pendulum.cable.model.gravity = {0, -9.81, 0};
     CableSystem system(pendulum.cable.model);
     const double dt = 2e-5;
     const std::string what = rate > 0 ? "let out: angle at " : "reeled in: angle at ";
     const std::string source =
-        "linear solution in Bessel functions (verification.md V4); swing of 0.1 rad is 0.06 % "
-        "slower, the rope has 0.04 % of the mass and stretches by 0.05 %";
+        "verification case V4, which is the solution of (L^2 theta')' + g L sin(theta) = 0 from 0.1 rad (the linear "
+        "one "
+        "differs by 7 % at 5 s); the rope has 0.02 % of the mass and stretches by 0.01 %";
     advance(system, 5, dt);
-    expect_value("pendulum " + what + "5 s, rad", pendulum.angle(system), 0.1 * at5, 5e-5, source);
+    expect_value("pendulum " + what + "5 s, rad", pendulum.angle(system), at5, 1e-4, source);
     advance(system, 10, dt);
-    expect_value("pendulum " + what + "10 s, rad", pendulum.angle(system), 0.1 * at10, 5e-5, source);
+    expect_value("pendulum " + what + "10 s, rad", pendulum.angle(system), at10, 1e-4, source);
     const EnergyAudit audit = system.audit();
     expect_below("energy error / work of winding m g, " + what.substr(0, what.find(':')), std::abs(audit.error) / 9.81,
                  1e-3, "the rope's own flow (0.04 % of the mass) is not accounted");
@@ -73,7 +74,7 @@ TEST_F(VerificationRope, SpinUpWithoutGravity) {
   const auto mass = pendulum.cable.nodes.back();
   const Eigen::Vector3d p = system.position(mass), v = system.velocity(mass);
   const std::string source =
-      "angular momentum of the mass: L^2 w constant (verification.md V4); the rope has 0.04 % "
+      "angular momentum of the mass: L^2 w constant (verification case V4); the rope has 0.04 % "
       "of the mass and stretches by up to 0.02 %";
   expect_value("spin-up: angle after 10 s, rad", turned, 20, 0.01, source);
   expect_value("spin-up: angular velocity after 10 s, rad/s", (p.x() * v.y() - p.y() * v.x()) / p.squaredNorm(), 4,

@@ -46,7 +46,7 @@ class VerificationStatics : public VerificationTest {};
 TEST_F(VerificationStatics, CatenaryByRelaxationMeanStrain) {
   const CatenaryResult result = hang(ElementEvaluation::mean_strain, 32);
   const std::string source =
-      "verification.md V2: elastic catenary with bending stiffness, pinned; 32 elements, relaxed to 1e-9 J";
+      "verification case V2: elastic catenary with bending stiffness, pinned; 32 elements, relaxed to 1e-9 J";
   expect_relative("sag, 32 mean-strain elements, m", result.sag, 1.39590, 5e-4, source);
   expect_relative("horizontal force, 32 mean-strain elements, N", result.horizontal, 1.60648, 5e-3, source);
 }
@@ -54,7 +54,7 @@ TEST_F(VerificationStatics, CatenaryByRelaxationMeanStrain) {
 TEST_F(VerificationStatics, CatenaryByRelaxationFull) {
   const CatenaryResult result = hang(ElementEvaluation::full, 12);
   const std::string source =
-      "verification.md V2: elastic catenary with bending stiffness, pinned; 12 elements, relaxed to 1e-6 J";
+      "verification case V2: elastic catenary with bending stiffness, pinned; 12 elements, relaxed to 1e-6 J";
   expect_relative("sag, 12 full elements, m", result.sag, 1.39590, 2e-3, source);
 }
 

@@ -14,7 +14,7 @@ using namespace test;
 
 constexpr double kGravity = 9.81;
 
-// The flexible pendulum of verification.md V3: 1.2 m, released from the horizontal.
+// The flexible pendulum of verification case V3: 1.2 m, released from the horizontal.
 Cable flexible_pendulum(int elements, double damping = 0) {
   CableMaterial material = plain_cable(0.7e6 * 0.0018, 0.7e6 * 1.215e-8, 5540 * 0.0018);
   material.section.axial_damping = material.section.bending_damping = damping;
@@ -89,7 +89,7 @@ TEST_F(VerificationDynamics, FlexiblePendulum) {
   const PendulumTips published = {Eigen::Vector3d(1.17992, -.19618, 0), {.85285, -.78447, 0}, {-.33489, -1.25154, 0}};
   expect_below("flexible pendulum, full element, material measure, 40 elements: tip, m",
                distance(plain_pendulum(StrainMeasure::material, 40, 1e-4), published), 5e-4,
-               "verification.md V3: tip at t = 0.2, 0.4, 0.6 s, five digits given");
+               "verification case V3: tip at t = 0.2, 0.4, 0.6 s, five digits given");
   double energy_error = 0;
   const PendulumTips full = system_pendulum(ElementEvaluation::full, 20, 2e-4, &energy_error);
   expect_below("flexible pendulum, full evaluation against a plain loop, 20 elements: tip, m",
@@ -153,7 +153,7 @@ double cord_frequency(ElementEvaluation evaluation, int elements, int mode) {
 
 TEST_F(VerificationDynamics, FrequenciesOfTheTensionedCord) {
   const std::array<double, 3> reference = {4.56507, 9.14233, 13.74389};
-  const std::string source = "w_n^2 = (n pi/L)^4 EI/m + (n pi/L)^2 T/m (verification.md V3); ";
+  const std::string source = "w_n^2 = (n pi/L)^4 EI/m + (n pi/L)^2 T/m (verification case V3); ";
   for (int mode = 1; mode <= 3; ++mode) {
     const std::string what = "frequency " + std::to_string(mode) + " of the cord under 50 N, Hz, ";
     expect_relative(what + "32 mean-strain elements", cord_frequency(ElementEvaluation::mean_strain, 32, mode),
