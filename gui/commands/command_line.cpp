@@ -12,6 +12,9 @@
 #include "gui/commands/command.h"
 #include "gui/commands/spelling.h"
 #include "gui/commands/version.h"
+#ifdef NETPOCKET_WORKBENCH
+#include "gui/workbench/workbench.h"
+#endif
 #include "render/figures/figure_error.h"
 #include "render/render_error.h"
 
@@ -19,6 +22,10 @@ namespace netpocket {
 namespace {
 
 constexpr std::array kCommands = {
+#ifdef NETPOCKET_WORKBENCH
+    Command{"workbench", "edit, run and watch captures in a window; also what netpocket does without a command",
+            declare_workbench},
+#endif
     Command{"run", "simulate a scenario and record it", declare_run},
     Command{"check", "validate a scenario and print the model that follows from it", declare_check},
     Command{"render", "draw pictures, a contact sheet or a video of a recording", declare_render},
@@ -50,6 +57,9 @@ class CommandLine {
   }
 
   ExitCode run(const std::vector<std::string>& arguments) {
+#ifdef NETPOCKET_WORKBENCH
+    if (arguments.empty() && can_open_window()) return run({"workbench"});
+#endif
     check_spelling(arguments);
     // CLI11 takes the arguments in reverse order.
     app_.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));

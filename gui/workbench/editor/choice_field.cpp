@@ -17,6 +17,8 @@ ChoiceField::ChoiceField(const Parameter& parameter, QWidget* parent)
     box_->addItem(QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())).replace('_', ' '));
   }
   box_->setAccessibleName(label(parameter));
+  box_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  box_->setMinimumContentsLength(6);
   box_->setFocusPolicy(Qt::StrongFocus);
   box_->installEventFilter(this);
   connect(box_, &QComboBox::activated, this, [this](int index) { offer(Choice{index}, Step::typed); });

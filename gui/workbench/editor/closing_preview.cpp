@@ -10,6 +10,8 @@
 namespace netpocket {
 namespace {
 
+constexpr int kHeight = 160;      // pixels
+constexpr int kPanelWidth = 160;  // pixels
 constexpr int kPoints = 241;
 constexpr double kBefore = 0.05;  // of the duration, shown before the start
 constexpr double kAfter = 0.1;    // and after the end
@@ -23,10 +25,10 @@ bool is_valid(const Scenario& scenario) {
   return table.size() >= 2 && std::adjacent_find(table.begin(), table.end(), not_later) == table.end();
 }
 
-Panel panel(const char* title, const QString& y_title, FigureColour colour) {
+Panel panel(const QString& title, const QString& y_title, FigureColour colour) {
   Panel result;
-  result.title = title;
-  result.x.title = QWidget::tr("Time *t* (s)").toStdString();
+  result.title = title.toStdString();
+  result.x.title = ClosingPreview::tr("Time *t* (s)").toStdString();
   result.y.title = y_title.toStdString();
   result.curves.emplace_back();
   result.curves.back().colour = colour;
@@ -39,8 +41,8 @@ Figure closing_figure(const Scenario& scenario) {
   const double duration = schedule.end() - schedule.start();
   const double begin = std::max(0.0, schedule.start() - kBefore * duration);
   const double end = schedule.end() + kAfter * duration;
-  Panel length = panel("", QWidget::tr("Length *L* (m)"), kBlue);
-  Panel speed = panel("", QWidget::tr("Speed d*L*/d*t* (m/s)"), kVermillion);
+  Panel length = panel(ClosingPreview::tr("Rope length"), ClosingPreview::tr("Length *L* (m)"), kBlue);
+  Panel speed = panel(ClosingPreview::tr("Closing speed"), ClosingPreview::tr("Speed d*L*/d*t* (m/s)"), kVermillion);
   for (int i = 0; i < kPoints; ++i) {
     const double time = begin + (end - begin) * i / (kPoints - 1);
     const ClosingState state = schedule.at(time);
@@ -61,7 +63,8 @@ ClosingPreview::ClosingPreview(QWidget* parent) : QWidget(parent), chart_(new Ch
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(12, 4, 10, 4);
   layout->addWidget(chart_);
-  chart_->setFixedHeight(150);
+  chart_->setFixedHeight(kHeight);
+  chart_->set_panel_width(kPanelWidth);
   chart_->setAccessibleName(tr("Preview of the closing law"));
   chart_->setToolTip(tr("Rope length between adjacent rod tips and its speed, as the closing law commands them"));
   chart_->set_placeholder(tr("The closing law needs two points or more with increasing times."));

@@ -31,9 +31,12 @@ GroupBox::GroupBox(const QString& title, const QString& tool_tip, QWidget* paren
   counts_->setAttribute(Qt::WA_TransparentForMouseEvents);
 
   auto* bar = new QHBoxLayout;
-  bar->setContentsMargins(2, 4, 10, 0);
-  bar->addWidget(heading_, 1);
-  bar->addWidget(counts_);
+  bar->setContentsMargins(2, 4, 4, 0);
+  bar->addWidget(heading_);
+  auto* inside = new QHBoxLayout(heading_);
+  inside->setContentsMargins(0, 0, 8, 0);
+  inside->addStretch();
+  inside->addWidget(counts_);
   body_layout_->setContentsMargins(0, 2, 0, 6);
   body_layout_->setSpacing(2);
   auto* layout = new QVBoxLayout(this);

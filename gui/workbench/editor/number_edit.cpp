@@ -27,6 +27,7 @@ NumberEdit::NumberEdit(const Limits& limits, bool whole, QWidget* parent)
     : QAbstractSpinBox(parent), limits_(limits), whole_(whole) {
   setFocusPolicy(Qt::StrongFocus);
   setAccelerated(true);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   lineEdit()->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   connect(lineEdit(), &QLineEdit::textEdited, this, &NumberEdit::typed);
   connect(this, &QAbstractSpinBox::editingFinished, this, [this] {
@@ -80,6 +81,19 @@ QAbstractSpinBox::StepEnabled NumberEdit::stepEnabled() const {
 
 // Anything may be typed; the form says what is wrong with it.
 QValidator::State NumberEdit::validate(QString&, int&) const { return QValidator::Acceptable; }
+
+// The line edit inside would keep undo and redo to itself. It may while something is being typed; else they are the
+// document's.
+bool NumberEdit::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride && !has_pending_text()) {
+    const auto* key = static_cast<QKeyEvent*>(event);
+    if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
+      event->ignore();
+      return true;
+    }
+  }
+  return QAbstractSpinBox::event(event);
+}
 
 void NumberEdit::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Escape && has_pending_text()) {

@@ -2,6 +2,7 @@
 
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <QScrollBar>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -36,6 +37,12 @@ ParameterForm::ParameterForm(ScenarioDocument* document, QWidget* parent) : QScr
 
 ParameterForm::~ParameterForm() {
   if (stepping_.isActive()) document_->end_interaction();
+}
+
+// Rows may be narrow but are never cut.
+QSize ParameterForm::minimumSizeHint() const {
+  const int bar = verticalScrollBar()->sizeHint().width();
+  return {widget()->minimumSizeHint().width() + bar, QScrollArea::minimumSizeHint().height()};
 }
 
 void ParameterForm::build() {
@@ -146,7 +153,7 @@ void ParameterForm::reveal(const QString& key) {
   if (!row) return;
   if (GroupBox* box = group(text(row->parameter().group()))) box->set_expanded(true);
   ensureWidgetVisible(row);
-  row->field()->setFocus(Qt::OtherFocusReason);
+  row->field()->setFocus(Qt::TabFocusReason);
 }
 
 void ParameterForm::focus_first() {

@@ -37,6 +37,8 @@ class ParameterForm : public QScrollArea {
   // Changed values that the run in progress takes up only after a restart.
   QStringList keys_that_need_restart() const;
 
+  QSize minimumSizeHint() const override;
+
  signals:
   // The scenario as it would be with what is being typed; also sent when typing ends.
   void tried(const netpocket::Scenario& scenario);

@@ -14,6 +14,9 @@ namespace {
 
 constexpr int kIconSize = 16;
 constexpr int kButtonSize = 22;
+constexpr int kSpacing = 5;
+constexpr int kNarrowField = 64;
+constexpr int kRoomForThree = 500;  // pixels that a row needs for three numbers beside its label
 
 const Scenario& default_scenario() {
   static const Scenario scenario;
@@ -33,6 +36,7 @@ ParameterRow::ParameterRow(const Parameter& parameter, QWidget* parent)
     : QWidget(parent),
       parameter_(parameter),
       field_(ParameterField::create(parameter, this)),
+      layout_(new QGridLayout(this)),
       label_(new QLabel(label(parameter), this)),
       unit_(new QLabel(this)),
       effect_(new QLabel(this)),
@@ -54,19 +58,7 @@ ParameterRow::ParameterRow(const Parameter& parameter, QWidget* parent)
   problem_->setWordWrap(true);
   problem_->hide();
 
-  const bool tall = parameter.type == ParameterType::pairs;
-  const Qt::Alignment beside = tall ? Qt::AlignTop : Qt::AlignVCenter;
-  auto* layout = new QGridLayout(this);
-  layout->setContentsMargins(12, 1, 6, 1);
-  layout->setHorizontalSpacing(6);
-  layout->setVerticalSpacing(2);
-  layout->addWidget(label_, 0, 0, beside);
-  layout->addWidget(field_, 0, 1);
-  layout->addWidget(unit_, 0, 2, beside);
-  layout->addWidget(effect_, 0, 3, beside);
-  layout->addWidget(reset_, 0, 4, beside);
-  layout->addWidget(problem_, 1, 1, 1, 4);
-  layout->setColumnStretch(1, 1);
+  lay_out();
 
   QStringList searched = {label(parameter),           text(parameter.key),
                           text(parameter.help),       text(parameter.source),
@@ -82,6 +74,49 @@ ParameterRow::ParameterRow(const Parameter& parameter, QWidget* parent)
   });
   connect(reset_, &QToolButton::clicked, this,
           [this] { emit edited(changed_ ? saved_ : parameter_.get(default_scenario()), false); });
+}
+
+void ParameterRow::lay_out() {
+  const Qt::Alignment beside = parameter_.type == ParameterType::pairs ? Qt::AlignTop : Qt::AlignVCenter;
+  layout_->setContentsMargins(12, 1, 6, 1);
+  layout_->setHorizontalSpacing(kSpacing);
+  layout_->setVerticalSpacing(2);
+  layout_->addWidget(label_, 0, 0, beside);
+  layout_->addWidget(effect_, 0, 3, beside);
+  layout_->addWidget(reset_, 0, 4, beside);
+  layout_->addWidget(problem_, 2, 1, 1, 4);
+  layout_->setColumnStretch(1, 1);
+  layout_->setColumnMinimumWidth(2, unit_width(fontMetrics()));
+  place_field();
+}
+
+// Vectors and tables go below their label where there is no room beside it.
+void ParameterRow::place_field() {
+  const bool wide = parameter_.type == ParameterType::vector || parameter_.type == ParameterType::pairs;
+  const bool below = wide && width() < kRoomForThree;
+  if (below == field_below_) return;
+  field_below_ = below;
+  layout_->removeWidget(field_);
+  layout_->removeWidget(unit_);
+  if (below) {
+    layout_->addWidget(field_, 1, 0, 1, 2);
+    layout_->addWidget(unit_, 0, 1, Qt::AlignVCenter);
+  } else {
+    layout_->addWidget(field_, 0, 1);
+    layout_->addWidget(unit_, 0, 2, Qt::AlignVCenter);
+  }
+}
+
+// That of a row with one number, whatever stands beside the label now, so that a form can become narrow again.
+QSize ParameterRow::minimumSizeHint() const {
+  const int columns = label_->width() + kNarrowField + unit_width(fontMetrics()) + kIconSize + kButtonSize;
+  const QMargins margins = layout_->contentsMargins();
+  return {columns + 4 * kSpacing + margins.left() + margins.right(), layout_->minimumSize().height()};
+}
+
+void ParameterRow::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  place_field();
 }
 
 int ParameterRow::label_width(const QFontMetrics& metrics) {

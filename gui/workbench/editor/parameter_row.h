@@ -7,6 +7,7 @@
 #include "engine/scenario/parameters.h"
 #include "gui/workbench/editor/parameter_words.h"
 
+class QGridLayout;
 class QLabel;
 class QToolButton;
 
@@ -44,14 +45,19 @@ class ParameterRow : public QWidget {
   static int label_width(const QFontMetrics& metrics);
   static int unit_width(const QFontMetrics& metrics);
 
+  QSize minimumSizeHint() const override;
+
  signals:
   void edited(const ParameterValue& value, bool stepped);
   void tried(const ParameterValue& value);
 
  protected:
   void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
+  void lay_out();
+  void place_field();
   void show_label();
   void show_reset();
   void show_effect();
@@ -59,6 +65,7 @@ class ParameterRow : public QWidget {
 
   const Parameter& parameter_;
   ParameterField* field_;
+  QGridLayout* layout_;
   QLabel* label_;
   QLabel* unit_;
   QLabel* effect_;
@@ -74,6 +81,7 @@ class ParameterRow : public QWidget {
   bool changed_ = false;
   bool needs_restart_ = false;
   bool read_only_ = false;
+  std::optional<bool> field_below_;  // instead of beside the label
 };
 
 }  // namespace netpocket

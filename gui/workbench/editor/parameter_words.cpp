@@ -2,8 +2,6 @@
 
 #include <QCoreApplication>
 #include <QStringList>
-#include <charconv>
-#include <cmath>
 
 #include "engine/scenario/parameter_text.h"
 
@@ -82,10 +80,7 @@ QString unit_of(const Parameter& parameter, const Scenario& scenario) {
 }
 
 QString number_words(double value) {
-  char buffer[32];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
-  QString words = QString::fromLatin1(buffer, end - buffer);
-  return words.replace("e+0", "e").replace("e-0", "e-").replace("e+", "e");
+  return QString::fromStdString(toml_text(parameters().front(), value));  // numbers look the same for every parameter
 }
 
 QString value_words(const Parameter& parameter, const ParameterValue& value) {

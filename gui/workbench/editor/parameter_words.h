@@ -19,7 +19,7 @@ QString unit_words(std::string_view unit);
 // Of a parameter as a whole: empty for lists of pairs, whose columns have units of their own, and for units by mode.
 QString unit_of(const Parameter& parameter, const Scenario& scenario);
 
-// The shortest text that reads back as the same number, without needless zeros: "1.2e10".
+// The shortest text that reads back as the same number, as in TOML: "12e9".
 QString number_words(double value);
 // A value with unit for menus and tool tips; lists of pairs by their number of rows.
 QString value_words(const Parameter& parameter, const ParameterValue& value);

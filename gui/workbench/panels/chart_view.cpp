@@ -12,7 +12,6 @@
 namespace netpocket {
 namespace {
 
-constexpr int kPanelWidth = 250;          // pixels that a column of panels needs
 constexpr int kGrip = 4;                  // pixels from the cursor at which a drag takes it along
 constexpr double kWheelStep = 1.2;        // zoom by a notch of the wheel
 constexpr double kNotch = 120;            // wheel units
@@ -31,6 +30,11 @@ ChartView::ChartView(QWidget* parent) : QWidget(parent), placeholder_(tr("No dat
 void ChartView::set_figure(Figure figure) {
   figure_ = std::move(figure);
   figure_.title.clear();
+  redraw();
+}
+
+void ChartView::set_panel_width(int width) {
+  panel_width_ = width;
   redraw();
 }
 
@@ -127,7 +131,7 @@ void ChartView::paintEvent(QPaintEvent*) {
   }
   if (stale_) {
     Figure shown = shown_figure();
-    const int across = std::max(1, width() / kPanelWidth);
+    const int across = std::max(1, width() / panel_width_);
     shown.columns = std::min(std::max(shown.columns, 1), across);
     drawn_ = figure_image(shown, size(), devicePixelRatioF(), palette());
     stale_ = false;

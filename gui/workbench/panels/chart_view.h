@@ -21,6 +21,9 @@ class ChartView : public QWidget {
   void set_figure(Figure figure);
   const Figure& figure() const { return figure_; }
 
+  // Pixels that a panel should have; where there are fewer, panels stand below each other.
+  void set_panel_width(int width);
+
   // Shown instead of a figure without data.
   void set_placeholder(const QString& text);
 
@@ -81,6 +84,7 @@ class ChartView : public QWidget {
 
   Figure figure_;
   QString placeholder_;
+  int panel_width_ = 250;
   std::optional<double> cursor_;
   std::optional<double> probe_;
   std::optional<TimeRange> window_;

@@ -47,7 +47,7 @@ void adapt_to_palette(QImage& image, const QPalette& palette) {
   }
 }
 
-Box scaled(const Box& box, double factor) {
+PlotBox scaled(const PlotBox& box, double factor) {
   return {box.x * factor, box.y * factor, box.width * factor, box.height * factor};
 }
 

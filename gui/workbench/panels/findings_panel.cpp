@@ -19,6 +19,8 @@
 namespace netpocket {
 namespace {
 
+constexpr int kRowPadding = 8;  // pixels
+
 enum Column { kMark, kStatement, kRun, kValue, kColumns };
 
 // F3, F4 and F5 judge how runs with different closing times differ.
@@ -134,7 +136,7 @@ void FindingsPanel::fill() {
   const bool several = !findings_.empty() && findings_.front().cases.size() > 1;
   table_->setColumnHidden(kRun, !several);
   for (const Finding& finding : findings_) add_rows(finding);
-  table_->resizeRowsToContents();
+  fit_rows();
   table_->verticalScrollBar()->setValue(scrolled);
   table_->setVisible(!findings_.empty());
   empty_->setVisible(findings_.empty());
@@ -159,12 +161,17 @@ void FindingsPanel::add_case(int row, const Finding& finding, const FindingCase&
                                                     : tr("no");
   const QString rule =
       tr("<p><b>%1: %2</b></p><p>Rule: %3</p>").arg(text(finding.id), word, text(finding.rule).toHtmlEscaped());
-  const QStringList texts = {QString(), text(finding.id) + "  " + text(finding.text), text(finding_case.name),
-                             text(finding_case.value)};
+  const bool first = &finding_case == &finding.cases.front();
+  const QStringList texts = {QString(), first ? text(finding.id) + "  " + text(finding.text) : QString(),
+                             text(finding_case.name), text(finding_case.value)};
+  // Every other finding stands on another ground.
+  const bool odd = (&finding - findings_.data()) % 2 == 1;
+  const QBrush ground = odd ? palette().alternateBase() : palette().base();
   for (int column = 0; column < kColumns; ++column) {
     auto* item = new QTableWidgetItem(texts[column]);
     item->setToolTip(rule);
-    item->setTextAlignment(Qt::AlignTop | Qt::AlignLeft);
+    item->setTextAlignment(Qt::AlignVCenter | Qt::AlignLeft);
+    item->setBackground(ground);
     table_->setItem(row, column, item);
   }
   table_->item(row, kMark)->setIcon(glyph_icon(glyph(mark), tone(mark), palette()));
@@ -193,7 +200,12 @@ void FindingsPanel::changeEvent(QEvent* event) {
 
 void FindingsPanel::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
+  fit_rows();
+}
+
+void FindingsPanel::fit_rows() {
   table_->resizeRowsToContents();
+  for (int row = 0; row < table_->rowCount(); ++row) table_->setRowHeight(row, table_->rowHeight(row) + kRowPadding);
 }
 
 std::optional<QString> FindingsPanel::export_findings(const QString& path) const {

@@ -49,6 +49,7 @@ class FindingsPanel : public QWidget {
 
  private:
   void fill();
+  void fit_rows();
   void add_rows(const Finding& finding);
   void add_case(int row, const Finding& finding, const FindingCase& finding_case);
   void show_capture();

@@ -32,6 +32,16 @@ QString value_html(const Curve& curve, const QString& name, double value, const 
       .arg(on_screen(curve.colour, palette).name(), name, number);
 }
 
+QStringList panel_values(const Panel& panel, double time, const QPalette& palette) {
+  QStringList values;
+  for (const Curve& curve : panel.curves) {
+    const auto value = curve.marker == Marker::none ? value_at(curve, time) : std::nullopt;
+    const std::string& name = curve.label.empty() ? panel.y.title : curve.label;
+    if (value) values << value_html(curve, to_html(name), *value, palette);
+  }
+  return values;
+}
+
 }  // namespace
 
 PlotsPanel::PlotsPanel(QWidget* parent)
@@ -155,12 +165,12 @@ void PlotsPanel::show_values() {
   QStringList parts;
   if (time) {
     parts << QString("<i>t</i>&nbsp;=&nbsp;<b>%1</b>&nbsp;s").arg(*time, 0, 'f', 2);
-    for (const Panel& panel : chart_->figure().panels) {
-      for (const Curve& curve : panel.curves) {
-        const auto value = curve.marker == Marker::none ? value_at(curve, *time) : std::nullopt;
-        const std::string& name = curve.label.empty() ? panel.title : curve.label;
-        if (value) parts << value_html(curve, to_html(name), *value, palette());
-      }
+    const std::vector<Panel>& panels = chart_->figure().panels;
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+      QStringList values = panel_values(panels[i], *time, palette());
+      if (panels.size() > 1 && !values.isEmpty())
+        values.front().prepend(QString("(%1)&nbsp;").arg(QChar('a' + int(i))));
+      parts << values;
     }
   }
   values_->setText(parts.join(QStringLiteral(" &nbsp; ")));

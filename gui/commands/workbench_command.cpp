@@ -1,0 +1,44 @@
+#include <memory>
+
+#include "gui/commands/command.h"
+#include "gui/commands/options.h"
+#include "gui/commands/version.h"
+#include "gui/workbench/workbench.h"
+
+namespace netpocket {
+
+Action declare_workbench(CLI::App& app) {
+  const auto options = std::make_shared<WorkbenchOptions>();
+  app.add_option("FILE", options->file, "scenario (.toml) or recording (.h5) to open");
+  app.add_option("--presenter", options->presenter,
+                 "how the window draws: with OpenGL, or images drawn in the background")
+      ->type_name("")
+      ->check(one_of({"auto", "opengl", "image"}))
+      ->capture_default_str();
+  app.add_option("--threads", options->threads, "threads of a simulation; the result is the same for any number")
+      ->type_name("N")
+      ->check(whole_number(1, 256))
+      ->capture_default_str();
+  // For looking at the window in tests: not in the help.
+  app.add_option("--screenshot", options->screenshot)->group("");
+  app.footer(R"(Needs a display; QT_QPA_PLATFORM=offscreen works without one.
+
+Examples:
+  netpocket
+  netpocket workbench scenarios/case2.toml
+  netpocket workbench case1.h5
+
+)" + exit_code_help({ExitCode::rendering}));
+  return [options](const std::string&) {
+    options->version = program_version();
+    options->commit = program_commit();
+    options->version_text = version_text();
+    try {
+      return run_workbench(*options) == 0 ? ExitCode::ok : ExitCode::io;
+    } catch (const NoDisplay& error) {
+      throw CommandError(ExitCode::rendering, error.what());
+    }
+  };
+}
+
+}  // namespace netpocket

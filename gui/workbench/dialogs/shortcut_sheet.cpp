@@ -1,0 +1,115 @@
+#include "gui/workbench/dialogs/shortcut_sheet.h"
+
+#include <QAction>
+#include <QDialogButtonBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
+#include <QScrollArea>
+#include <QVBoxLayout>
+#include <vector>
+
+namespace netpocket {
+namespace {
+
+struct Line {
+  QString keys;
+  QString what;
+};
+struct Section {
+  QString title;
+  std::vector<Line> lines;
+};
+
+void collect(const QMenu& menu, std::vector<Line>& lines) {
+  for (const QAction* action : menu.actions()) {
+    if (action->menu()) {
+      collect(*action->menu(), lines);
+    } else if (!action->shortcut().isEmpty()) {
+      lines.push_back({action->shortcut().toString(QKeySequence::NativeText), action->text().remove('&')});
+    }
+  }
+}
+
+std::vector<Section> sections(const QMenuBar& menus) {
+  std::vector<Section> sections;
+  for (const QAction* action : menus.actions()) {
+    Section section{action->text().remove('&'), {}};
+    if (action->menu()) collect(*action->menu(), section.lines);
+    if (!section.lines.empty()) sections.push_back(section);
+  }
+  sections.push_back({ShortcutSheet::tr("Viewport"),
+                      {{ShortcutSheet::tr("Left drag, arrows"), ShortcutSheet::tr("Orbit")},
+                       {ShortcutSheet::tr("Shift or middle drag"), ShortcutSheet::tr("Pan (Shift with arrows)")},
+                       {ShortcutSheet::tr("Ctrl drag"), ShortcutSheet::tr("Roll")},
+                       {ShortcutSheet::tr("Wheel, right drag, + −"), ShortcutSheet::tr("Zoom")},
+                       {ShortcutSheet::tr("Click"), ShortcutSheet::tr("Pick a cord, node or body")},
+                       {ShortcutSheet::tr("Double click"), ShortcutSheet::tr("Look at what is there")},
+                       {ShortcutSheet::tr("Esc"), ShortcutSheet::tr("Clear the selection")}}});
+  sections.push_back({ShortcutSheet::tr("Timeline"),
+                      {{ShortcutSheet::tr("Left, right"), ShortcutSheet::tr("One frame back, on")},
+                       {ShortcutSheet::tr("Page Up, Page Down"), ShortcutSheet::tr("One second back, on")},
+                       {ShortcutSheet::tr("Home, End"), ShortcutSheet::tr("Start, end")}}});
+  return sections;
+}
+
+QWidget* make_section(const Section& section) {
+  auto* box = new QWidget;
+  auto* grid = new QGridLayout(box);
+  grid->setContentsMargins(0, 0, 0, 12);
+  grid->setHorizontalSpacing(16);
+  grid->setVerticalSpacing(3);
+  auto* title = new QLabel(section.title);
+  QFont font = title->font();
+  font.setBold(true);
+  title->setFont(font);
+  grid->addWidget(title, 0, 0, 1, 2);
+  int row = 1;
+  for (const Line& line : section.lines) {
+    auto* keys = new QLabel(line.keys);
+    keys->setForegroundRole(QPalette::Link);
+    grid->addWidget(keys, row, 0);
+    grid->addWidget(new QLabel(line.what), row++, 1);
+  }
+  grid->setColumnStretch(1, 1);
+  return box;
+}
+
+}  // namespace
+
+ShortcutSheet::ShortcutSheet(const QMenuBar& menus, QWidget* parent) : QDialog(parent) {
+  setWindowTitle(tr("Keyboard and mouse"));
+  auto* page = new QWidget;
+  auto* columns = new QHBoxLayout(page);
+  columns->setSpacing(32);
+  const auto all = sections(menus);
+  // Columns of about equal length.
+  std::size_t lines = 0;
+  for (const Section& section : all) lines += section.lines.size() + 2;
+  constexpr std::size_t kColumns = 3;
+  QVBoxLayout* column = nullptr;
+  std::size_t used = 0, count = 0;
+  for (const Section& section : all) {
+    if (column == nullptr || (used * kColumns >= count * lines && count < kColumns)) {
+      column = new QVBoxLayout;
+      columns->addLayout(column, 1);
+      ++count;
+    }
+    column->addWidget(make_section(section));
+    used += section.lines.size() + 2;
+  }
+  for (auto* layout : page->findChildren<QVBoxLayout*>()) layout->addStretch();
+  auto* scroll = new QScrollArea;
+  scroll->setWidget(page);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  auto* layout = new QVBoxLayout(this);
+  layout->addWidget(scroll);
+  layout->addWidget(buttons);
+  resize(980, 640);
+}
+
+}  // namespace netpocket

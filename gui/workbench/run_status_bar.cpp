@@ -1,0 +1,76 @@
+#include "gui/workbench/run_status_bar.h"
+
+#include <QLabel>
+#include <algorithm>
+#include <cmath>
+
+namespace netpocket {
+namespace {
+
+QString state_text(const Run& run) {
+  switch (run.state) {
+    case RunState::preparing:
+      return RunStatusBar::tr("Preparing");
+    case RunState::running:
+      return RunStatusBar::tr("Running");
+    case RunState::paused:
+      return RunStatusBar::tr("Paused");
+    case RunState::recorded:
+      return RunStatusBar::tr("Recorded");
+    case RunState::ended:
+      break;
+  }
+  return run.status.reason == RunReason::diverged ? RunStatusBar::tr("Diverged") : RunStatusBar::tr("Finished");
+}
+
+QString step_text(const RunStatistics& statistics, double step) {
+  if (!(step > 0)) return {};
+  return RunStatusBar::tr("step %1 µs: %2")
+      .arg(1e6 * step, 0, 'f', 1)
+      .arg(QString::fromStdString(statistics.step_limit));
+}
+
+// The error against the energy put in so far.
+QString energy_text(const RunSeries& series, std::size_t frame) {
+  const double input = std::max(std::abs(series.channel(Channel::energy_input)[frame]),
+                                std::abs(series.channel(Channel::energy_kinetic)[frame]));
+  const double error = series.channel(Channel::energy_error)[frame];
+  if (!(input > 1e-9)) return RunStatusBar::tr("energy error %1 J").arg(error, 0, 'g', 2);
+  return RunStatusBar::tr("energy error %1 %").arg(100 * std::abs(error) / input, 0, 'g', 2);
+}
+
+}  // namespace
+
+RunStatusBar::RunStatusBar(QWidget* parent) : QStatusBar(parent) {
+  state_ = add_field(tr("What the run is doing"), "Preparing");
+  time_ = add_field(tr("Simulated time"), "t = 000.000 s");
+  speed_ = add_field(tr("Speed of the simulation against real time"), "0.000 × real time");
+  step_ = add_field(tr("Integration step, and what limits it"), "");
+  contacts_ = add_field(tr("Contact points that touch the target"), "000 contacts");
+  energy_ = add_field(tr("Energy balance: its error against the energy put in"), "energy error 0.0e-00 %");
+}
+
+QLabel* RunStatusBar::add_field(const QString& help, const char* widest) {
+  auto* label = new QLabel;
+  label->setToolTip(help);
+  label->setMinimumWidth(fontMetrics().horizontalAdvance(QString::fromUtf8(widest)) + 8);
+  addPermanentWidget(label);
+  return label;
+}
+
+void RunStatusBar::show_run(const Run* run, std::size_t frame) {
+  const bool any = run != nullptr && run->frame_count() > 0;
+  state_->setText(run ? state_text(*run) : tr("No run"));
+  for (QLabel* label : {time_, speed_, step_, contacts_, energy_}) label->setVisible(any);
+  if (!any) return;
+  const std::size_t last = std::min(frame, run->frame_count() - 1);
+  time_->setText(tr("t = %1 s").arg(run->series.times()[last], 0, 'f', 3));
+  speed_->setVisible(run->speed > 0);
+  speed_->setText(tr("%1 × real time").arg(run->speed, 0, 'g', 3));
+  step_->setText(step_text(run->statistics, run->series.channel(Channel::time_step)[last]));
+  step_->setVisible(!step_->text().isEmpty());
+  contacts_->setText(tr("%n contact(s)", nullptr, static_cast<int>(run->series.channel(Channel::contact_count)[last])));
+  energy_->setText(energy_text(run->series, last));
+}
+
+}  // namespace netpocket

@@ -1,0 +1,143 @@
+#include "gui/workbench/runs_panel.h"
+
+#include <QAction>
+#include <QHeaderView>
+#include <QMenu>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+namespace netpocket {
+namespace {
+
+enum Column { kName, kTime, kState, kColumnCount };
+constexpr int kIdRole = Qt::UserRole;
+
+RunId id_of(const QTreeWidgetItem& item) { return item.data(kName, kIdRole).toInt(); }
+
+QString state_name(const Run& run) {
+  if (run.status.reason == RunReason::diverged) return RunsPanel::tr("diverged");
+  switch (run.state) {
+    case RunState::preparing:
+      return RunsPanel::tr("preparing");
+    case RunState::running:
+      return RunsPanel::tr("running");
+    case RunState::paused:
+      return RunsPanel::tr("paused");
+    case RunState::ended:
+      return RunsPanel::tr("finished");
+    case RunState::recorded:
+      break;
+  }
+  return RunsPanel::tr("recorded");
+}
+
+}  // namespace
+
+RunsPanel::RunsPanel(CaptureSession& session, QWidget* parent)
+    : QWidget(parent), session_(session), list_(new QTreeWidget) {
+  list_->setHeaderLabels({tr("Run"), tr("Until"), tr("State")});
+  list_->setRootIsDecorated(false);
+  list_->setUniformRowHeights(true);
+  list_->setEditTriggers(QAbstractItemView::EditKeyPressed);
+  list_->setContextMenuPolicy(Qt::CustomContextMenu);
+  list_->header()->setSectionResizeMode(kName, QHeaderView::Stretch);
+  list_->header()->setSectionResizeMode(kTime, QHeaderView::ResizeToContents);
+  list_->header()->setSectionResizeMode(kState, QHeaderView::ResizeToContents);
+  list_->header()->setStretchLastSection(false);
+  list_->setAccessibleName(tr("Runs"));
+  list_->setToolTip(
+      tr("Select: show this run. Tick: draw it over the shown run in the plots. F2: rename. Del: remove"));
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(list_);
+
+  auto* remove_action = new QAction(tr("Remove"), list_);
+  remove_action->setShortcut(Qt::Key_Delete);
+  remove_action->setShortcutContext(Qt::WidgetShortcut);
+  list_->addAction(remove_action);
+  connect(remove_action, &QAction::triggered, this, [this] {
+    if (const auto* item = list_->currentItem()) session_.remove_run(id_of(*item));
+  });
+  connect(list_, &QTreeWidget::customContextMenuRequested, this, &RunsPanel::show_menu);
+  connect(list_, &QTreeWidget::currentItemChanged, this, [this](const QTreeWidgetItem* item) {
+    if (item && (!session_.current() || session_.current()->id != id_of(*item))) session_.show_run(id_of(*item));
+  });
+  connect(list_, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item, int column) {
+    if (column != kName) return;
+    session_.runs().rename(id_of(*item), item->text(kName));
+    emit compared_changed();
+  });
+  connect(&session_.runs(), &RunLibrary::run_added, this, &RunsPanel::add);
+  connect(&session_.runs(), &RunLibrary::run_removed, this, &RunsPanel::remove);
+  connect(&session_.runs(), &RunLibrary::run_changed, this, &RunsPanel::refresh);
+  connect(&session_.runs(), &RunLibrary::frames_added, this, &RunsPanel::refresh);
+  connect(&session_, &CaptureSession::current_changed, this, &RunsPanel::mark_current);
+}
+
+QTreeWidgetItem* RunsPanel::item_of(RunId id) const {
+  for (int i = 0; i < list_->topLevelItemCount(); ++i) {
+    if (id_of(*list_->topLevelItem(i)) == id) return list_->topLevelItem(i);
+  }
+  return nullptr;
+}
+
+void RunsPanel::add(RunId id) {
+  const QSignalBlocker quiet(list_);
+  auto* item = new QTreeWidgetItem(list_);
+  item->setData(kName, kIdRole, id);
+  item->setFlags(item->flags() | Qt::ItemIsUserCheckable | Qt::ItemIsEditable);
+  item->setCheckState(kName, Qt::Unchecked);
+  item->setTextAlignment(kTime, Qt::AlignRight | Qt::AlignVCenter);
+  refresh(id);
+}
+
+void RunsPanel::remove(RunId id) {
+  const QSignalBlocker quiet(list_);
+  delete item_of(id);
+  emit compared_changed();
+}
+
+void RunsPanel::refresh(RunId id) {
+  const Run* run = session_.runs().find(id);
+  auto* item = item_of(id);
+  if (run == nullptr || item == nullptr) return;
+  const QSignalBlocker quiet(list_);
+  item->setText(kName, run->name);
+  item->setText(kTime, tr("%1 s").arg(run->end_time(), 0, 'f', 2));
+  item->setText(kState, state_name(*run));
+}
+
+void RunsPanel::mark_current() {
+  const QSignalBlocker quiet(list_);
+  const Run* run = session_.current();
+  for (int i = 0; i < list_->topLevelItemCount(); ++i) {
+    auto* item = list_->topLevelItem(i);
+    QFont font = list_->font();
+    font.setBold(run != nullptr && id_of(*item) == run->id);
+    item->setFont(kName, font);
+    if (font.bold()) list_->setCurrentItem(item);
+  }
+  emit compared_changed();
+}
+
+std::vector<RunId> RunsPanel::compared() const {
+  std::vector<RunId> ids;
+  const Run* shown = session_.current();
+  if (shown) ids.push_back(shown->id);
+  for (int i = 0; i < list_->topLevelItemCount(); ++i) {
+    const auto* item = list_->topLevelItem(i);
+    if (item->checkState(kName) == Qt::Checked && (!shown || id_of(*item) != shown->id)) ids.push_back(id_of(*item));
+  }
+  return ids;
+}
+
+void RunsPanel::show_menu(const QPoint& position) {
+  auto* item = list_->itemAt(position);
+  if (item == nullptr) return;
+  QMenu menu;
+  menu.addAction(tr("Rename"), this, [this, item] { list_->editItem(item, kName); });
+  menu.addAction(tr("Remove"), this, [this, item] { session_.remove_run(id_of(*item)); });
+  menu.exec(list_->viewport()->mapToGlobal(position));
+}
+
+}  // namespace netpocket

@@ -1,0 +1,158 @@
+#include "gui/workbench/session/capture_session.h"
+
+#include <QTimer>
+
+namespace netpocket {
+
+CaptureSession::CaptureSession(SessionOptions options) : runs_(options.origin, options.cache_bytes) {
+  connect(&runs_, &RunLibrary::frame_loaded, this, &CaptureSession::frame_loaded);
+  connect(&runs_, &RunLibrary::failed, this, &CaptureSession::failed);
+  const auto notify = [this] {
+    if (!notified_.exchange(true)) QMetaObject::invokeMethod(this, &CaptureSession::take_reports, Qt::QueuedConnection);
+  };
+  worker_ = std::make_unique<SimulationWorker>(notify, options.origin.threads);
+}
+
+CaptureSession::~CaptureSession() { worker_.reset(); }
+
+void CaptureSession::take_reports() {
+  notified_ = false;
+  // A few at a time, so that the window stays quick; the rest waits in the queue and holds the simulation back.
+  constexpr int kAtOnce = 8;
+  constexpr int kRetryInterval = 10;  // ms
+  for (int i = 0; i < kAtOnce; ++i) {
+    if (runs_.is_busy()) break;
+    const auto report = worker_->take_report();
+    if (!report) return;
+    std::visit([this](const auto& r) { take(r); }, *report);
+  }
+  if (!notified_.exchange(true))
+    QTimer::singleShot(runs_.is_busy() ? kRetryInterval : 0, this, [this] { take_reports(); });
+}
+
+void CaptureSession::take(const RunBegun& report) { runs_.begin(report.run, report.structure, report.scenario); }
+
+void CaptureSession::take(const FrameReady& report) {
+  runs_.append(report.run, report.snapshot, report.statistics, report.speed);
+  const Run* run = current();
+  if (run == nullptr || report.run != current_ || run->frame_count() == 0) return;
+  if (follow_ || run->frame_count() == 1) show_frame(run->frame_count() - 1);
+}
+
+void CaptureSession::take(const StateChanged& report) {
+  constexpr RunState kStates[] = {RunState::paused, RunState::preparing, RunState::running, RunState::paused,
+                                  RunState::ended};
+  runs_.set_state(report.run, kStates[static_cast<int>(report.state)], report.status, report.statistics);
+  if (report.status.reason == RunReason::diverged) emit run_diverged(QString::fromStdString(report.status.message));
+}
+
+void CaptureSession::take(const StrategyChanged& report) {
+  runs_.set_scenario(report.run, report.scenario);
+  emit strategy_answered(report.diagnostics, report.time);
+}
+
+void CaptureSession::take(const WorkerFailed& report) {
+  if (report.run == live_) leave_live_run();
+  emit failed(tr("The simulation ended: %1.").arg(QString::fromStdString(report.message)));
+}
+
+void CaptureSession::leave_live_run() {
+  if (live_ >= 0) runs_.finish(live_);
+  live_ = -1;
+}
+
+QString CaptureSession::unused_name(const QString& name) const {
+  const auto taken = [this](const QString& candidate) {
+    const auto ids = runs_.ids();
+    return std::any_of(ids.begin(), ids.end(), [&](RunId id) { return runs_.find(id)->name == candidate; });
+  };
+  QString candidate = name;
+  for (int i = 2; taken(candidate); ++i) candidate = QString("%1 (%2)").arg(name).arg(i);
+  return candidate;
+}
+
+void CaptureSession::start(const Scenario& scenario, bool run) {
+  leave_live_run();
+  live_ = runs_.add(unused_name(QString::fromStdString(scenario.name)), scenario);
+  worker_->post(BeginRun{live_, scenario});
+  follow_ = true;
+  show_run(live_);
+  if (run) resume();
+}
+
+void CaptureSession::resume(const Resume& goal) {
+  if (live_ < 0) return;
+  worker_->post(goal);
+}
+
+void CaptureSession::pause() { worker_->post(Pause{}); }
+
+void CaptureSession::single_step() {
+  follow_ = true;
+  if (current_ != live_) show_run(live_);
+  worker_->post(SingleStep{});
+}
+
+void CaptureSession::set_pace(double rate) { worker_->post(SetPace{rate}); }
+
+void CaptureSession::change_strategy(const Scenario& scenario) {
+  if (live_ >= 0) worker_->post(ChangeStrategy{scenario});
+}
+
+bool CaptureSession::branch(const Scenario& scenario) {
+  const Run* parent = current();
+  if (parent == nullptr || parent->frame_count() == 0 || !parent->simulated_here) return false;
+  const double time = parent->series.times()[shown_];
+  const RunId parent_id = current_;
+  leave_live_run();
+  live_ = runs_.add_branch(parent_id, time);
+  worker_->post(BeginBranch{live_, parent_id, time, scenario});
+  follow_ = true;
+  show_run(live_);
+  return true;
+}
+
+void CaptureSession::remove_run(RunId id) {
+  if (id == live_) {
+    worker_->post(Pause{});
+    leave_live_run();
+  }
+  runs_.remove(id);
+  if (id != current_) return;
+  const auto ids = runs_.ids();
+  show_run(ids.empty() ? -1 : ids.back());
+}
+
+void CaptureSession::show_run(RunId id) {
+  const double time = current() && shown_ < current()->frame_count() ? current()->series.times()[shown_] : 0;
+  current_ = id;
+  shown_ = 0;
+  emit current_changed();
+  const Run* run = current();
+  if (run == nullptr || run->frame_count() == 0) return;
+  show_frame(id == live_ && follow_ ? run->frame_count() - 1 : run->frame_at(time));
+}
+
+void CaptureSession::show_frame(std::size_t index) {
+  const Run* run = current();
+  if (run == nullptr || run->frame_count() == 0) return;
+  shown_ = std::min(index, run->frame_count() - 1);
+  if (const auto frame = runs_.frame(current_, shown_)) emit frame_shown(frame);
+}
+
+void CaptureSession::show_time(double time) {
+  if (const Run* run = current()) show_frame(run->frame_at(time));
+}
+
+void CaptureSession::set_follow(bool follow) {
+  follow_ = follow;
+  if (const Run* run = current(); follow && run != nullptr && run->frame_count() > 0)
+    show_frame(run->frame_count() - 1);
+}
+
+void CaptureSession::frame_loaded(RunId run, std::size_t index) {
+  if (run != current_ || index != shown_) return;
+  if (const auto frame = runs_.frame(run, index)) emit frame_shown(frame);
+}
+
+}  // namespace netpocket

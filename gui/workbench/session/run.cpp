@@ -1,0 +1,61 @@
+#include "gui/workbench/session/run.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+
+namespace netpocket {
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("TimeMark", text); }
+
+std::optional<double> first_contact(const RunSeries& series) {
+  const auto& contacts = series.channel(Channel::contact_count);
+  const auto found = std::ranges::find_if(contacts, [](double count) { return count > 0; });
+  if (found == contacts.end()) return std::nullopt;
+  return series.times()[static_cast<std::size_t>(found - contacts.begin())];
+}
+
+struct Peak {
+  double time = 0;
+  double force = 0;
+};
+
+Peak peak_force(const RunSeries& series) {
+  Peak peak;
+  const auto &x = series.channel(Channel::contact_fx), &y = series.channel(Channel::contact_fy),
+             &z = series.channel(Channel::contact_fz);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double force = std::hypot(x[i], y[i], z[i]);
+    if (force > peak.force) peak = {series.times()[i], force};
+  }
+  return peak;
+}
+
+}  // namespace
+
+std::size_t Run::frame_at(double time) const {
+  const auto& times = series.times();
+  const auto later = std::ranges::lower_bound(times, time);
+  if (later == times.begin()) return 0;
+  const auto index = static_cast<std::size_t>(later - times.begin());
+  if (later == times.end()) return index - 1;
+  return *later - time < time - times[index - 1] ? index : index - 1;
+}
+
+std::vector<TimeMark> time_marks(const Run& run) {
+  using Kind = TimeMark::Kind;
+  std::vector<TimeMark> marks = run.notes;
+  if (const auto time = first_contact(run.series)) marks.push_back({Kind::first_contact, *time, tr("First contact")});
+  if (const Peak peak = peak_force(run.series); peak.force > 0) {
+    marks.push_back({Kind::peak_force, peak.time, tr("Peak contact force, %1 N").arg(peak.force, 0, 'g', 3)});
+  }
+  if (std::isfinite(run.series.closing_end))
+    marks.push_back({Kind::closing_end, run.series.closing_end, tr("Closing ends")});
+  if (std::isfinite(run.series.towing_start))
+    marks.push_back({Kind::tow_start, run.series.towing_start, tr("Towing starts")});
+  std::ranges::stable_sort(marks, {}, &TimeMark::time);
+  return marks;
+}
+
+}  // namespace netpocket

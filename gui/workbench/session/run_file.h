@@ -1,0 +1,47 @@
+#pragma once
+// The recording behind a run of the session: written while the run goes on, read at the same time. Its functions throw
+// RecordingError.
+// Thread contract: made anywhere, used on the storage thread.
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "engine/recording/recorder.h"
+#include "engine/recording/recording.h"
+
+namespace netpocket {
+
+class RunFile {
+ public:
+  // A temporary recording, removed with the object.
+  static std::shared_ptr<RunFile> temporary(const std::string& path);
+  // An existing recording, which is only read.
+  static std::shared_ptr<RunFile> existing(Recording recording);
+  ~RunFile();
+
+  const std::string& path() const { return path_; }
+
+  void begin(const RunOrigin& origin, const Structure& structure);
+  void write(const Snapshot& snapshot);
+  void finish(const RunStatus& status, const RunStatistics& statistics);
+  // Begins with the first `count` frames of another run.
+  void copy_frames(RunFile& source, std::size_t count);
+
+  Snapshot frame(std::size_t index);
+  // A complete recording of what there is so far, under another name.
+  void save_as(const std::string& path);
+
+ private:
+  RunFile(std::string path, bool temporary) : path_(std::move(path)), temporary_(temporary) {}
+  Recording& reader(std::size_t frame_count);
+
+  std::string path_;
+  bool temporary_;
+  RunOrigin origin_;
+  std::unique_ptr<Recorder> recorder_;
+  std::optional<Recording> reader_;
+  std::size_t written_ = 0;
+};
+
+}  // namespace netpocket

@@ -1,0 +1,269 @@
+#include "gui/workbench/session/run_library.h"
+
+#include <QFileInfo>
+
+#include "engine/scenario/read_scenario.h"
+
+namespace netpocket {
+
+RunLibrary::RunLibrary(RunOptions origin, std::size_t cache_bytes) : origin_(std::move(origin)), cache_(cache_bytes) {
+  qRegisterMetaType<RunId>("netpocket::RunId");
+  qRegisterMetaType<std::size_t>("std::size_t");
+}
+
+RunLibrary::~RunLibrary() { runs_.clear(); }
+
+Run* RunLibrary::get(RunId id) {
+  const auto run = runs_.find(id);
+  return run == runs_.end() ? nullptr : &run->second;
+}
+
+const Run* RunLibrary::find(RunId id) const {
+  const auto run = runs_.find(id);
+  return run == runs_.end() ? nullptr : &run->second;
+}
+
+std::vector<RunId> RunLibrary::ids() const {
+  std::vector<RunId> ids;
+  for (const auto& [id, run] : runs_) ids.push_back(id);
+  return ids;
+}
+
+QString RunLibrary::temporary_path(RunId id) const { return folder_.filePath(QString("run%1.h5").arg(id)); }
+
+RunId RunLibrary::insert(Run run) {
+  const RunId id = next_++;
+  run.id = id;
+  run.series.name = run.name.toStdString();
+  runs_.emplace(id, std::move(run));
+  return id;
+}
+
+RunId RunLibrary::add(const QString& name, const Scenario& scenario) {
+  Run run;
+  run.name = name;
+  run.scenario = scenario;
+  const RunId id = insert(std::move(run));
+  get(id)->file = RunFile::temporary(temporary_path(id).toStdString());
+  emit run_added(id);
+  return id;
+}
+
+RunId RunLibrary::add_branch(RunId parent_id, double time) {
+  const Run& parent = *find(parent_id);
+  const std::size_t count = parent.frame_count() == 0 ? 0 : parent.frame_at(time) + 1;
+  Run run = parent;
+  run.name = tr("%1, from %2 s").arg(parent.name).arg(time, 0, 'f', 2);
+  run.parent = parent_id;
+  run.branch_time = time;
+  run.state = RunState::preparing;
+  run.status = {};
+  for (auto& channel : run.series.channels) channel.resize(std::min(channel.size(), count));
+  std::erase_if(run.notes, [time](const TimeMark& mark) { return mark.time > time; });
+  run.notes.push_back({TimeMark::Kind::branch, time, tr("Branched from %1").arg(parent.name)});
+  const RunId id = insert(std::move(run));
+  Run& branch = *get(id);
+  branch.file = RunFile::temporary(temporary_path(id).toStdString());
+  store([file = branch.file, source = parent.file, count, structure = branch.structure,
+         origin = run_origin(branch.scenario, origin_)] {
+    file->begin(origin, *structure);
+    file->copy_frames(*source, count);
+  });
+  for (std::size_t i = 0; i < count; ++i) {
+    if (auto frame = cache_.find(parent_id, i)) cache_.add(id, i, std::move(frame));
+  }
+  emit run_added(id);
+  return id;
+}
+
+void RunLibrary::later(std::function<void()> action) {
+  QMetaObject::invokeMethod(this, std::move(action), Qt::QueuedConnection);
+}
+
+void RunLibrary::store(std::function<void()> job) {
+  storage_.post([this, job = std::move(job)] {
+    try {
+      job();
+    } catch (const std::exception& error) {
+      later([this, reason = QString::fromUtf8(error.what())] {
+        // A full disk fails with every frame: once is enough.
+        if (!std::exchange(write_failed_, true)) emit failed(reason);
+      });
+    }
+  });
+}
+
+void RunLibrary::open(const QString& path) {
+  storage_.post([this, path] {
+    try {
+      auto recording = std::make_shared<Recording>(path.toStdString());
+      const auto scenario = read_scenario_text(recording->origin().scenario_text, path.toStdString()).scenario;
+      later([this, recording, scenario] { add_recording(std::move(*recording), scenario); });
+    } catch (const std::exception& error) {
+      later([this, reason = QString::fromUtf8(error.what())] { emit failed(reason); });
+    }
+  });
+}
+
+void RunLibrary::add_recording(Recording recording, const Scenario& scenario) {
+  Run run;
+  run.name = QFileInfo(QString::fromStdString(recording.path())).completeBaseName();
+  run.scenario = scenario;
+  run.structure = std::make_shared<const Structure>(recording.structure());
+  run.series = run_series(recording);
+  run.state = RunState::recorded;
+  run.simulated_here = false;
+  run.status = recording.status();
+  run.statistics = recording.statistics();
+  run.file = RunFile::existing(std::move(recording));
+  emit run_added(insert(std::move(run)));
+}
+
+void RunLibrary::remove(RunId id) {
+  const auto run = runs_.find(id);
+  if (run == runs_.end()) return;
+  // The file is closed where it was used.
+  storage_.post([file = std::move(run->second.file)]() mutable { file.reset(); });
+  runs_.erase(run);
+  cache_.forget(id);
+  emit run_removed(id);
+}
+
+void RunLibrary::rename(RunId id, const QString& name) {
+  Run* run = get(id);
+  if (run == nullptr || name.trimmed().isEmpty()) return;
+  run->name = name.trimmed();
+  run->series.name = run->name.toStdString();
+  emit run_changed(id);
+}
+
+void RunLibrary::add_note(RunId id, const TimeMark& mark) {
+  if (Run* run = get(id)) run->notes.push_back(mark);
+  emit run_changed(id);
+}
+
+void RunLibrary::remove_note(RunId id, double time) {
+  Run* run = get(id);
+  if (run == nullptr) return;
+  std::erase_if(run->notes, [time](const TimeMark& mark) {
+    return mark.kind == TimeMark::Kind::own && std::abs(mark.time - time) < 1e-9;
+  });
+  emit run_changed(id);
+}
+
+void RunLibrary::begin(RunId id, std::shared_ptr<const Structure> structure, const Scenario& scenario) {
+  Run* run = get(id);
+  if (run == nullptr) return;
+  run->structure = std::move(structure);
+  run->scenario = scenario;
+  const RunOrigin origin = run_origin(scenario, origin_);
+  run->series.closing_end = origin.closing_end;
+  run->series.towing_start = origin.towing_start;
+  if (run->parent < 0) {
+    store([file = run->file, origin, structure = run->structure] { file->begin(origin, *structure); });
+  }
+  emit run_changed(id);
+}
+
+void RunLibrary::append(RunId id, std::shared_ptr<const Snapshot> frame, const RunStatistics& statistics,
+                        double speed) {
+  Run* run = get(id);
+  if (run == nullptr) return;
+  run->statistics = statistics;
+  run->speed = speed;
+  // A branch begins with the frame that it has from its parent.
+  if (run->frame_count() > 0 && frame->time <= run->end_time()) return;
+  for (std::size_t i = 0; i < kChannelCount; ++i) run->series.channels[i].push_back(frame->channels[i]);
+  cache_.add(id, run->frame_count() - 1, frame);
+  store([file = run->file, frame] { file->write(*frame); });
+  emit frames_added(id);
+}
+
+void RunLibrary::set_state(RunId id, RunState state, const RunStatus& status, const RunStatistics& statistics) {
+  Run* run = get(id);
+  if (run == nullptr) return;
+  run->state = state;
+  run->status = status;
+  run->statistics = statistics;
+  if (state != RunState::running) run->speed = 0;
+  emit run_changed(id);
+}
+
+void RunLibrary::set_scenario(RunId id, const Scenario& scenario) {
+  Run* run = get(id);
+  if (run == nullptr) return;
+  run->scenario = scenario;
+  const RunOrigin origin = run_origin(scenario, origin_);
+  run->series.closing_end = origin.closing_end;
+  run->series.towing_start = origin.towing_start;
+  emit run_changed(id);
+}
+
+void RunLibrary::finish(RunId id) {
+  Run* run = get(id);
+  if (run == nullptr || run->state == RunState::recorded) return;
+  store([file = run->file, status = run->status, statistics = run->statistics] { file->finish(status, statistics); });
+  run->state = RunState::recorded;
+  emit run_changed(id);
+}
+
+std::shared_ptr<const Snapshot> RunLibrary::frame(RunId id, std::size_t index) {
+  if (auto frame = cache_.find(id, index)) return frame;
+  wanted_ = Request{id, index};
+  if (!loading_) load(*wanted_);
+  return nullptr;
+}
+
+void RunLibrary::load(const Request& request) {
+  const Run* run = find(request.run);
+  if (run == nullptr || request.index >= run->frame_count()) return;
+  loading_ = true;
+  wanted_.reset();
+  storage_.post([this, request, file = run->file] {
+    std::shared_ptr<const Snapshot> frame;
+    QString reason;
+    try {
+      frame = std::make_shared<const Snapshot>(file->frame(request.index));
+    } catch (const std::exception& error) {
+      reason = QString::fromUtf8(error.what());
+    }
+    later([this, request, frame, reason] {
+      loading_ = false;
+      if (frame && find(request.run)) {
+        cache_.add(request.run, request.index, frame);
+        emit frame_loaded(request.run, request.index);
+      } else if (!frame) {
+        emit failed(reason);
+      }
+      if (wanted_ && !loading_) load(*wanted_);
+    });
+  });
+}
+
+void RunLibrary::save(RunId id, const QString& path) {
+  const Run* run = find(id);
+  if (run == nullptr) return;
+  storage_.post([this, file = run->file, path] {
+    try {
+      file->save_as(path.toStdString());
+      later([this, path] { emit saved(path); });
+    } catch (const std::exception& error) {
+      later([this, reason = QString::fromUtf8(error.what())] { emit failed(reason); });
+    }
+  });
+}
+
+void RunLibrary::flush(RunId id, std::function<void(const QString& path)> use) {
+  const Run* run = find(id);
+  if (run == nullptr) return;
+  storage_.post([this, file = run->file, count = run->frame_count(), use = std::move(use)] {
+    try {
+      if (count > 0) file->frame(count - 1);
+      later([use, path = QString::fromStdString(file->path())] { use(path); });
+    } catch (const std::exception& error) {
+      later([this, reason = QString::fromUtf8(error.what())] { emit failed(reason); });
+    }
+  });
+}
+
+}  // namespace netpocket

@@ -1,0 +1,159 @@
+#include "gui/workbench/simulation/worker_loop.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace netpocket {
+
+void WorkerLoop::run() {
+  while (!stop_.stop_requested()) {
+    // A paused worker waits for commands; a running one only looks whether there are any, or until a frame is due.
+    std::optional<RunPace::Clock::time_point> deadline;
+    if (running_) deadline = pace_.due().value_or(RunPace::Clock::now());
+    for (const WorkerCommand& command : worker_.take_commands(stop_, deadline)) {
+      guard([&] { obey(command); });
+    }
+    if (running_ && !stop_.stop_requested()) guard([this] { advance(); });
+  }
+}
+
+void WorkerLoop::guard(const std::function<void()>& action) {
+  const auto fail = [this](const std::string& message) {
+    running_ = false;
+    simulation_.reset();
+    worker_.report(WorkerFailed{run_, message});
+  };
+  try {
+    action();
+  } catch (const std::bad_alloc&) {
+    fail("out of memory");
+  } catch (const std::exception& error) {
+    fail(error.what());
+  }
+}
+
+void WorkerLoop::obey(const WorkerCommand& command) {
+  std::visit([this](const auto& c) { on(c); }, command);
+}
+
+void WorkerLoop::on(const BeginRun& command) {
+  run_ = command.run;
+  running_ = false;
+  report_state(WorkerState::preparing, {});
+  const SimulationOptions options{worker_.threads_};
+  logs_[run_] = CheckpointLog(command.scenario, options);
+  install(command.run, Simulation(command.scenario, options));
+}
+
+void WorkerLoop::on(const BeginBranch& command) {
+  const auto parent = logs_.find(command.parent);
+  if (parent == logs_.end()) throw std::runtime_error("a run that was opened from a file cannot be continued");
+  run_ = command.run;
+  running_ = false;
+  report_state(WorkerState::preparing, {});
+  Simulation simulation = parent->second.simulation_at(command.time, stop_);
+  logs_[run_] = parent->second.until(command.time);
+  install(command.run, std::move(simulation));
+  on(ChangeStrategy{command.scenario});
+}
+
+void WorkerLoop::install(RunId run, Simulation simulation) {
+  simulation_.emplace(std::move(simulation));
+  worker_.report(RunBegun{run, std::make_shared<const Structure>(simulation_->structure()), simulation_->scenario()});
+  frame_time_ = -1;
+  report_frame();
+  report_state(WorkerState::paused, {});
+}
+
+void WorkerLoop::on(const Resume& command) {
+  if (!simulation_) return;
+  goal_ = command;
+  running_ = true;
+  pace_.restart(simulation_->time(), RunPace::Clock::now());
+  report_state(WorkerState::running, {});
+}
+
+void WorkerLoop::on(const Pause&) {
+  if (!simulation_ || !running_) return;
+  running_ = false;
+  report_frame();
+  report_state(WorkerState::paused, {});
+}
+
+void WorkerLoop::on(const SingleStep&) {
+  if (!simulation_) return;
+  running_ = false;
+  const double before = simulation_->time();
+  RunStatus status;
+  // A simulation steps while more than half a step is missing; how long its next step is, it decides itself.
+  double ahead = 0.6 * simulation_->statistics().time_step;
+  for (; simulation_->time() == before && !stop_.stop_requested(); ahead *= 1.5) {
+    status = simulation_->advance(before + ahead, stop_);
+  }
+  report_frame();
+  report_state(status.reason == RunReason::diverged ? WorkerState::ended : WorkerState::paused, status);
+}
+
+void WorkerLoop::on(const SetPace& command) { pace_.set_rate(command.rate); }
+
+void WorkerLoop::on(const ChangeStrategy& command) {
+  if (!simulation_) return;
+  logs_[run_].note_change(*simulation_, command.scenario);
+  Diagnostics refused;
+  for (const std::string& key : simulation_->change_strategy(command.scenario)) {
+    refused.add({.key = key, .message = "acts from a restart only"});
+  }
+  worker_.report(StrategyChanged{run_, simulation_->time(), simulation_->scenario(), refused});
+}
+
+double WorkerLoop::next_frame_time() const {
+  constexpr double kRounding = 1e-6;  // of an interval
+  const OutputParameters& output = simulation_->scenario().output;
+  const double interval = std::floor(simulation_->time() * output.frame_rate + kRounding) + 1;
+  return std::min(interval / output.frame_rate, output.end_time);
+}
+
+void WorkerLoop::advance() {
+  const double end = std::min(goal_.until, simulation_->scenario().output.end_time);
+  // Half a microsecond of tolerance: steps end at frames but for rounding.
+  constexpr double kRounding = 5e-7;
+  if (simulation_->time() < end - kRounding) {
+    const RunStatus status = simulation_->advance(std::min(next_frame_time(), end), worker_.interruption());
+    if (status.reason == RunReason::stopped) return;
+    report_frame();
+    if (status.reason == RunReason::diverged) {
+      running_ = false;
+      report_state(WorkerState::ended, status);
+      return;
+    }
+  }
+  if (!running_ || simulation_->time() < end - kRounding) return;
+  running_ = false;
+  const bool finished = simulation_->time() >= simulation_->scenario().output.end_time - kRounding;
+  report_state(finished ? WorkerState::ended : WorkerState::paused,
+               {RunReason::finished, simulation_->time(), "reached the end time"});
+}
+
+void WorkerLoop::report_frame() {
+  if (simulation_->time() <= frame_time_) return;
+  auto snapshot = std::make_shared<const Snapshot>(simulation_->snapshot());
+  // What a diverged run has come to cannot be drawn.
+  if (!snapshot->positions.allFinite()) return;
+  frame_time_ = simulation_->time();
+  logs_[run_].note_state(*simulation_);
+  pace_.note(frame_time_, RunPace::Clock::now());
+  after_frame(*snapshot);
+  worker_.report(FrameReady{run_, std::move(snapshot), simulation_->statistics(), pace_.speed()});
+}
+
+void WorkerLoop::after_frame(const Snapshot& snapshot) {
+  const bool touches = snapshot.channel(Channel::contact_count) > 0;
+  if (running_ && goal_.until_contact && touches && !touched_) goal_.until = snapshot.time;
+  touched_ = touches;
+}
+
+void WorkerLoop::report_state(WorkerState state, const RunStatus& status) {
+  worker_.report(StateChanged{run_, state, status, simulation_ ? simulation_->statistics() : RunStatistics{}});
+}
+
+}  // namespace netpocket

@@ -1,0 +1,50 @@
+#pragma once
+// What a SimulationWorker's thread does: obeys commands and steps the simulation between them.
+
+#include <map>
+
+#include "engine/dynamics/simulation.h"
+#include "gui/workbench/simulation/checkpoint_log.h"
+#include "gui/workbench/simulation/run_pace.h"
+#include "gui/workbench/simulation/simulation_worker.h"
+
+namespace netpocket {
+
+class WorkerLoop {
+ public:
+  WorkerLoop(SimulationWorker& worker, std::stop_token stop) : worker_(worker), stop_(std::move(stop)) {}
+
+  // Until the worker is stopped.
+  void run();
+
+ private:
+  void obey(const WorkerCommand& command);
+  void on(const BeginRun& command);
+  void on(const BeginBranch& command);
+  void on(const Resume& command);
+  void on(const Pause& command);
+  void on(const SingleStep& command);
+  void on(const SetPace& command);
+  void on(const ChangeStrategy& command);
+
+  void install(RunId run, Simulation simulation);
+  void advance();
+  void after_frame(const Snapshot& snapshot);
+  double next_frame_time() const;
+  void report_frame();
+  void report_state(WorkerState state, const RunStatus& status);
+  void guard(const std::function<void()>& action);
+
+  SimulationWorker& worker_;
+  std::stop_token stop_;
+  RunId run_ = -1;
+  std::optional<Simulation> simulation_;
+  std::map<RunId, CheckpointLog> logs_;  // of all runs, for branches
+  bool running_ = false;
+  Resume goal_;
+  bool touched_ = false;    // whether the last frame had contact
+  double frame_time_ = -1;  // s, of the last frame reported
+  RunPace pace_;
+};
+
+}  // namespace netpocket

@@ -1,0 +1,86 @@
+#pragma once
+// What the user interface says to the simulation's thread and what comes back. All are values.
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <string>
+#include <variant>
+
+#include "engine/recording/run_status.h"
+#include "engine/recording/snapshot.h"
+#include "engine/recording/structure.h"
+#include "engine/scenario/diagnostics.h"
+#include "engine/scenario/scenario.h"
+
+namespace netpocket {
+
+// Numbers a run of the session; reports name the run they belong to.
+using RunId = std::int32_t;
+
+// To the worker.
+
+// A new run from t = 0, paused after its first frame. The scenario must pass check_scenario.
+struct BeginRun {
+  RunId run;
+  Scenario scenario;
+};
+// A new run that continues an earlier one from `time` (s, of one of its frames); paused there.
+struct BeginBranch {
+  RunId run;
+  RunId parent;
+  double time;
+  Scenario scenario;  // whose strategy acts from there on
+};
+// Runs on, at most to `until` (s) or to the first contact after now.
+struct Resume {
+  double until = std::numeric_limits<double>::infinity();
+  bool until_contact = false;
+};
+struct Pause {};
+// One integration step, then paused.
+struct SingleStep {};
+// Simulated seconds for one second of wall time; 0: as fast as possible.
+struct SetPace {
+  double rate = 0;
+};
+// Closing law, towing and friction act as in this scenario from now on.
+struct ChangeStrategy {
+  Scenario scenario;
+};
+using WorkerCommand = std::variant<BeginRun, BeginBranch, Resume, Pause, SingleStep, SetPace, ChangeStrategy>;
+
+// From the worker.
+
+struct RunBegun {
+  RunId run;
+  std::shared_ptr<const Structure> structure;
+  Scenario scenario;
+};
+struct FrameReady {
+  RunId run;
+  std::shared_ptr<const Snapshot> snapshot;
+  RunStatistics statistics;
+  double speed = 0;  // simulated seconds for one of wall time, lately
+};
+enum class WorkerState { idle, preparing, running, paused, ended };
+struct StateChanged {
+  RunId run;
+  WorkerState state;
+  RunStatus status;
+  RunStatistics statistics;
+};
+struct StrategyChanged {
+  RunId run;
+  double time;              // s, from which it acts
+  Scenario scenario;        // in force now
+  Diagnostics diagnostics;  // why it was refused: then nothing has changed
+};
+// Something unexpected ended the run.
+struct WorkerFailed {
+  RunId run;
+  std::string message;  // one sentence
+};
+using WorkerReport = std::variant<RunBegun, FrameReady, StateChanged, StrategyChanged, WorkerFailed>;
+
+}  // namespace netpocket

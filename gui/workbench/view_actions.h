@@ -1,0 +1,45 @@
+#pragma once
+// Where from and how the pocket is looked at: cameras and display options.
+
+#include <QActionGroup>
+#include <QObject>
+#include <QSettings>
+
+#include "gui/workbench/viewport/viewport.h"
+
+class QMenu;
+class QToolBar;
+
+namespace netpocket {
+
+class ViewActions : public QObject {
+  Q_OBJECT
+ public:
+  ViewActions(Viewport& viewport, QSettings& settings, QWidget* window);
+
+  void fill(QMenu& menu, QToolBar& bar);
+  // Puts what the run brings along into the options, e.g. the times of its phases.
+  void set_phases(const std::optional<PhaseTimes>& phases);
+  // Light or dark of the window has changed.
+  void follow_theme();
+
+ private:
+  enum class Ground { theme, white, space };
+
+  QAction* add(QMenu& menu, const QString& text, const QKeySequence& key, const QString& help);
+  void add_cameras(QMenu& menu, QToolBar& bar);
+  void add_saved_cameras(QMenu& menu);
+  void add_colors(QMenu& menu, QToolBar& bar);
+  void add_display(QMenu& menu);
+  void add_switch(QMenu& menu, const QString& text, bool SceneOptions::*option, const QString& help);
+  void save_camera(int slot);
+  void recall_camera(int slot);
+  void apply();
+
+  Viewport& viewport_;
+  QSettings& settings_;
+  SceneOptions options_;
+  Ground ground_ = Ground::theme;
+};
+
+}  // namespace netpocket

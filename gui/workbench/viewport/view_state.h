@@ -1,0 +1,23 @@
+#pragma once
+// Everything a picture of the viewport is made of, as a value: it can go to another thread. What a pointer holds is
+// never changed, so equal pointers mean equal content.
+
+#include <memory>
+
+#include "engine/recording/snapshot.h"
+#include "engine/recording/structure.h"
+#include "render/scene/camera.h"
+#include "render/scene/scene_options.h"
+
+namespace netpocket {
+
+struct ViewState {
+  std::shared_ptr<const Structure> structure;  // null: nothing is shown
+  std::shared_ptr<const Snapshot> snapshot;    // fits the structure
+  std::shared_ptr<const SceneOptions> options;
+  CameraView camera;
+
+  bool complete() const { return structure && snapshot && options; }
+};
+
+}  // namespace netpocket

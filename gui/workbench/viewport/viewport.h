@@ -1,0 +1,101 @@
+#pragma once
+// Shows a pocket and lets it be looked at from all sides.
+//
+// Left drag: orbit; with Shift, or middle drag: pan; with Ctrl: roll; right drag or wheel: zoom. Click: pick; double
+// click: look at what is there. Arrow keys orbit, with Shift they pan; + and - zoom.
+
+#include <QWidget>
+#include <memory>
+#include <optional>
+
+#include "gui/workbench/viewport/orbit_camera.h"
+#include "gui/workbench/viewport/picker.h"
+#include "gui/workbench/viewport/presenter.h"
+
+namespace netpocket {
+
+class PickPanel;
+class ViewportOverlay;
+
+class Viewport : public QWidget {
+  Q_OBJECT
+ public:
+  explicit Viewport(PresenterKind kind, QWidget* parent = nullptr);
+  ~Viewport() override;
+
+  // Shows a pocket; the camera stays where it is. Null: nothing.
+  void set_pocket(std::shared_ptr<const Structure> structure, std::shared_ptr<const Snapshot> snapshot);
+  // Another state of the same pocket.
+  void set_snapshot(std::shared_ptr<const Snapshot> snapshot);
+  const ViewState& state() const { return state_; }
+
+  void set_options(const SceneOptions& options);
+  const SceneOptions& options() const { return *state_.options; }
+
+  // Frames what is visible now from a preset's direction, or keeping the present one.
+  void set_preset(CameraPreset preset);
+  void fit();
+  void set_view(const CameraView& view);
+  const CameraView& view() const { return state_.camera; }
+  // The camera moves with the target.
+  void set_follow_target(bool follow);
+
+  void set_measuring(bool measuring);
+  bool is_measuring() const { return measuring_; }
+  void select(std::optional<Pick> pick);
+  const std::optional<Pick>& selection() const { return selection_; }
+  const std::vector<Pick>& measured() const { return measured_; }
+
+  // In the middle of the viewport, when there is nothing else to see.
+  void set_message(const QString& message);
+  QImage picture() { return presenter_->picture(); }
+  QString presenter_description() const { return presenter_->description(); }
+
+  QSize sizeHint() const override { return {800, 560}; }
+  QSize minimumSizeHint() const override { return {240, 180}; }
+
+ signals:
+  void picked(const std::optional<netpocket::Pick>& pick);
+  void plot_requested(const netpocket::Pick& pick);
+  void view_changed();
+  void picture_shown(double time, double seconds);  // s: simulated; taken to draw
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  enum class Drag { none, orbit, pan, roll, zoom };
+
+  void refresh();
+  void picture_came(const ViewState& shown, double seconds);
+  void update_overlay(const ViewState& shown);
+  void set_camera(const OrbitCamera& camera);
+  void drag_to(const QPointF& position);
+  void click(const QPointF& position);
+  Eigen::Vector3d target_position(const Snapshot& snapshot) const;
+  void place_panel();
+
+  std::unique_ptr<Presenter> presenter_;
+  ViewportOverlay* overlay_;
+  PickPanel* panel_;
+  ViewState state_;
+  ViewState shown_;
+  CameraPreset preset_ = CameraPreset::iso;
+  bool framed_ = false;  // whether the camera has been aimed at a pocket
+  bool follow_ = false;
+  bool measuring_ = false;
+  std::optional<Pick> selection_;
+  std::vector<Pick> measured_;
+  Drag drag_ = Drag::none;
+  bool moved_ = false;  // since the button went down
+  QPointF pressed_at_;
+  QPointF last_;
+};
+
+}  // namespace netpocket
