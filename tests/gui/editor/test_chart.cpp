@@ -147,8 +147,8 @@ double contrast(const QColor& a, const QColor& b) {
     const auto linear = [](double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); };
     return 0.2126 * linear(c.redF()) + 0.7152 * linear(c.greenF()) + 0.0722 * linear(c.blueF());
   };
-  const auto [low, high] = std::minmax(luminance(a), luminance(b));
-  return (high + 0.05) / (low + 0.05);
+  const double ratio = (luminance(a) + 0.05) / (luminance(b) + 0.05);
+  return std::max(ratio, 1 / ratio);
 }
 
 TEST(Tones, AreReadable) {

@@ -236,11 +236,11 @@ TEST_F(Form, UndoKeyIsTheDocumentsUnlessSomethingIsTyped) {
   QAction* undo = document->undo_stack()->createUndoAction(&editor);
   undo->setShortcut(QKeySequence::Undo);
   editor.addAction(undo);
-  editor.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&editor));
   EXPECT_FALSE(document->set_value(parameter("target.mass"), 150.0));
   auto& edit = part<NumberEdit>("target.radius");
   edit.setFocus();
-  QTest::keyClick(edit.findChild<QLineEdit*>(), Qt::Key_Z, Qt::ControlModifier);
+  QTest::keyClick(&edit, Qt::Key_Z, Qt::ControlModifier);
   EXPECT_EQ(document->scenario().target.mass, 200);
 }
 

@@ -67,7 +67,7 @@ TEST_F(Plots, GrowsFrameByFrame) {
   panel.set_series({start});
   for (std::size_t i = 0; i < 100; ++i) {
     std::array<double, kChannelCount> frame;
-    for (std::size_t c = 0; c < kChannelCount; ++c) frame[c] = whole.channels[c][i];
+    for (std::size_t c = 0; c < kChannelCount; ++c) frame[c] = whole.channels[c].empty() ? 0 : whole.channels[c][i];
     panel.append(0, frame);
   }
   settle();
