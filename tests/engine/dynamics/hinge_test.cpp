@@ -62,7 +62,7 @@ TEST_F(VerificationHinge, MomentEqualsStiffnessTimesAngle) {
     // A cable element takes no torsion: the moment along the second rod's tangent is not transmitted.
     const Eigen::Vector3d tangent = g2.normalized();
     const Eigen::Vector3d applied = arm.cross(load) - tangent.dot(arm.cross(load)) * tangent;
-    expect_below(std::string("hinge loaded ") + what + ": |k theta - moment of the load| / moment",
+    expect_below(std::string("hinge loaded ") + what + ": difference of k theta and the moment of the load, relative",
                  (moment - applied).norm() / applied.norm(), 2e-3,
                  "statics, by relaxation to 1e-11 J; angle " + std::to_string(forces.angle).substr(0, 5) + " rad");
     if (load.z() == 0) {
