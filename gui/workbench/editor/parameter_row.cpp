@@ -100,7 +100,7 @@ void ParameterRow::place_field() {
   layout_->removeWidget(unit_);
   if (below) {
     layout_->addWidget(field_, 1, 0, 1, 2);
-    layout_->addWidget(unit_, 0, 1, Qt::AlignVCenter);
+    layout_->addWidget(unit_, 0, 1, Qt::AlignLeft | Qt::AlignVCenter);
   } else {
     layout_->addWidget(field_, 0, 1);
     layout_->addWidget(unit_, 0, 2, Qt::AlignVCenter);

@@ -29,6 +29,13 @@ std::vector<std::string_view> split_lines(std::string_view text) {
   }
 }
 
+bool is_continuation(char byte) { return (static_cast<unsigned char>(byte) & 0xc0) == 0x80; }
+
+// Characters of a UTF-8 text.
+std::size_t width(std::string_view text) {
+  return text.size() - std::count_if(text.begin(), text.end(), is_continuation);
+}
+
 // Byte offset of a parser's position, whose columns count characters.
 std::size_t offset_of(std::string_view text, const toml::source_position& position) {
   std::size_t offset = 0;
@@ -36,7 +43,7 @@ std::size_t offset_of(std::string_view text, const toml::source_position& positi
   for (toml::source_index column = 1; column < position.column && offset < text.size(); ++column) {
     do {
       ++offset;
-    } while (offset < text.size() && (static_cast<unsigned char>(text[offset]) & 0xc0) == 0x80);
+    } while (offset < text.size() && is_continuation(text[offset]));
   }
   return offset;
 }
@@ -47,8 +54,8 @@ std::string replace(std::string_view text, std::size_t begin, std::size_t end, c
   std::string result(text.substr(0, begin));
   result += value;
   if (hash != text.npos && hash > end && text[hash] == '#') {
-    const std::size_t old_width = hash - begin;
-    result += std::string(value.size() < old_width ? old_width - value.size() : 1, ' ');
+    const std::size_t old_width = width(text.substr(begin, hash - begin));
+    result += std::string(width(value) < old_width ? old_width - width(value) : 1, ' ');
     return result += text.substr(hash);
   }
   return result += text.substr(end);

@@ -138,7 +138,7 @@ void ChartView::paintEvent(QPaintEvent*) {
   }
   painter.drawImage(QPoint(0, 0), drawn_.image);
   if (probe_) draw_line(painter, *probe_, QPen(tone_colour(Tone::muted, palette()), 1, Qt::DotLine));
-  if (cursor_) draw_line(painter, *cursor_, QPen(tone_colour(Tone::accent, palette()), 1.5));
+  if (cursor_) draw_line(painter, *cursor_, QPen(tone_colour(Tone::accent, palette()), 2));
 }
 
 void ChartView::draw_line(QPainter& painter, double time, const QPen& pen) const {
@@ -146,7 +146,7 @@ void ChartView::draw_line(QPainter& painter, double time, const QPen& pen) const
   for (const PanelFrame& panel : drawn_.panels) {
     const double part = (time - panel.x.low) / panel.x.span();
     if (!(part >= 0 && part <= 1)) continue;
-    const double x = panel.box.x + part * panel.box.width;
+    const double x = std::round(panel.box.x + part * panel.box.width);  // sharp
     painter.drawLine(QPointF(x, panel.box.y), QPointF(x, panel.box.bottom()));
   }
 }

@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <filesystem>
 
 #include "gui/workbench/panels/figure_image.h"
@@ -34,8 +35,11 @@ QString value_html(const Curve& curve, const QString& name, double value, const 
 
 QStringList panel_values(const Panel& panel, double time, const QPalette& palette) {
   QStringList values;
+  const bool labelled =
+      std::any_of(panel.curves.begin(), panel.curves.end(), [](const Curve& curve) { return !curve.label.empty(); });
   for (const Curve& curve : panel.curves) {
-    const auto value = curve.marker == Marker::none ? value_at(curve, time) : std::nullopt;
+    if (curve.marker != Marker::none || (labelled && curve.label.empty())) continue;
+    const auto value = value_at(curve, time);
     const std::string& name = curve.label.empty() ? panel.y.title : curve.label;
     if (value) values << value_html(curve, to_html(name), *value, palette);
   }

@@ -16,17 +16,17 @@ namespace {
 void leave_behind(const QString& folder, const QString& path, const QString& text) {
   QProcess child;
   child.start("true", {});
+  child.waitForStarted();
   const qint64 gone = child.processId();
   child.waitForFinished();
   RecoveryFile file(folder);
   ASSERT_TRUE(file.write(path, text));
   const QString name = QDir(folder).entryList({"*.recovery"}).front();
   const QByteArray content = read_file(folder + "/" + name);
-  file.remove();
-  QFile copy(folder + "/" + name);
+  QFile copy(folder + "/crashed.recovery");
   ASSERT_TRUE(copy.open(QIODevice::WriteOnly));
   copy.write(content);
-  QFile lock(folder + "/" + name + ".lock");
+  QFile lock(copy.fileName() + ".lock");
   ASSERT_TRUE(lock.open(QIODevice::WriteOnly));
   lock.write(QByteArray::number(gone) + "\nnetpocket\n" + QSysInfo::machineHostName().toUtf8() + "\n");
 }

@@ -14,13 +14,13 @@ TEST(TomlEdit, KeepsCommentsAndTheirColumns) {
   EXPECT_EQ(with_value(text, parameter("target.radius"), 4.25), "# mine\n[target]\nradius = 4.25  # m\nmass = 200\n");
   EXPECT_EQ(with_value(text, parameter("target.radius"), 123.4567),
             "# mine\n[target]\nradius = 123.4567 # m\nmass = 200\n");
-  EXPECT_EQ(with_value(text, parameter("target.mass"), 5.0), "# mine\n[target]\nradius = 4.5   # m\nmass = 5.0\n");
+  EXPECT_EQ(with_value(text, parameter("target.mass"), 5.0), "# mine\n[target]\nradius = 4.5   # m\nmass = 5\n");
 }
 
 TEST(TomlEdit, AddsAMissingKeyToItsTable) {
   const std::string text = "[target]\nradius = 4.5\n\n[closing]\nduration = 5\n";
   EXPECT_EQ(with_value(text, parameter("target.mass"), 150.0),
-            "[target]\nradius = 4.5\nmass = 150.0\n\n[closing]\nduration = 5\n");
+            "[target]\nradius = 4.5\nmass = 150\n\n[closing]\nduration = 5\n");
 }
 
 TEST(TomlEdit, AddsAMissingTableAtTheEnd) {
