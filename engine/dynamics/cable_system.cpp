@@ -63,6 +63,7 @@ struct CableSystem::Impl {
   // State at step n (positions) and n - 1/2 (velocities).
   Model model;
   SystemOptions options;
+  tbb::task_arena arena;
   SlotLayout layout;
   SlotVectors coordinates, velocities;
   double time = 0;
@@ -128,6 +129,7 @@ struct CableSystem::Impl {
 CableSystem::Impl::Impl(const Model& source, const SystemOptions& opts)
     : model(source),
       options(opts),
+      arena(std::max(1, opts.threads)),
       layout{static_cast<std::int32_t>(source.nodes.size()), static_cast<std::int32_t>(source.gradients.size())},
       coordinates(layout.size()),
       velocities(layout.size()),
@@ -231,7 +233,6 @@ void CableSystem::Impl::for_chunks(int blocks, const Function& function) {
   const int chunks = (blocks + kChunk - 1) / kChunk;
   const auto run = [&](int chunk) { function(chunk, chunk * kChunk, std::min(blocks, (chunk + 1) * kChunk)); };
   if (options.threads > 1 && elements.size() >= kFewestElementsForThreads) {
-    tbb::task_arena arena(options.threads);
     arena.execute([&] { tbb::parallel_for(0, chunks, run, tbb::static_partitioner()); });
   } else {
     for (int chunk = 0; chunk < chunks; ++chunk) run(chunk);

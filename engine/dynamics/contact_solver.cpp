@@ -11,8 +11,10 @@
 namespace netpocket {
 namespace {
 
-// Steps between two surveys of which elements are near a body.
-constexpr int kSurveyInterval = 16;
+// Most steps between two surveys of which elements are near a body, and the farthest (m) that anything may travel
+// between them.
+constexpr int kLongestSurveyInterval = 16;
+constexpr double kLongestTravel = 0.05;
 // Clearance (m) below which an element counts as near, besides what it may move until the next survey.
 constexpr double kNearMargin = 0.02;
 // Inflation (m) of the boxes in the broad phase.
@@ -120,7 +122,12 @@ void ContactSolver::survey(const SlotVectors& coordinates, const SlotVectors& ve
     fastest = std::max(fastest, bodies[b].rigid().velocity().norm() + rim);
   }
   // Twice the present speed for what speeds up meanwhile, as far again for the other partner's motion.
-  const double travel = 2 * fastest * kSurveyInterval * dt;
+  const double travel_per_step = 2 * fastest * dt;
+  steps_to_survey_ = kLongestSurveyInterval;
+  if (travel_per_step * kLongestSurveyInterval > kLongestTravel) {
+    steps_to_survey_ = std::max(1, static_cast<int>(kLongestTravel / travel_per_step));
+  }
+  const double travel = travel_per_step * steps_to_survey_;
   if (broad_phase_.advance(travel)) update_broad_phase(coordinates, element_length, bodies);
   const double margin = kNearMargin + 2 * travel;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -213,10 +220,7 @@ void ContactSolver::add_forces(const SlotVectors& coordinates, const SlotVectors
                                const std::function<Eigen::Vector3d(std::int32_t)>& other_force, SlotVectors& applied,
                                std::vector<Wrench>& wrenches) {
   if (bodies.empty()) return;
-  if (steps_to_survey_ <= 0) {
-    survey(coordinates, velocities, element_length, bodies, dt);
-    steps_to_survey_ = kSurveyInterval;
-  }
+  if (steps_to_survey_ <= 0) survey(coordinates, velocities, element_length, bodies, dt);
   --steps_to_survey_;
   find(coordinates, element_length, bodies);
   share_inertia();

@@ -84,7 +84,7 @@ struct Simulation::Impl {
         drive(s.towing, s.spacecraft.station_keeping, total_mass(pocket.model)),
         channels(pocket) {
     perturb();
-    choose_step();
+    stable = system.stable_step();
   }
 
   Scenario scenario;
@@ -92,9 +92,10 @@ struct Simulation::Impl {
   CableSystem system;
   SpacecraftDrive drive;
   ChannelRecorder channels;
-  StableStep stable{};        // of the pocket as built, without closing ropes' shortening
-  double rope_wave_step = 0;  // s, stable step of a closing-rope element of 1 m
-  double time_step = 0;       // s, in the present output interval
+  StableStep stable{};                                    // of the pocket as built, without closing ropes' shortening
+  int rope_step_class = std::numeric_limits<int>::max();  // of the length for which rope_step_value holds
+  double rope_step_value = 0;                             // s
+  double time_step = 0;                                   // s, in the present output interval
   double smallest_step = std::numeric_limits<double>::infinity();
   std::int64_t interval = -1;  // present output interval
   std::int64_t interval_steps = 1, steps_in_interval = 0;
@@ -111,19 +112,27 @@ struct Simulation::Impl {
     }
   }
 
-  void choose_step() {
-    stable = system.stable_step();
-    const CableSection& rope = pocket.model.material_of(pocket.model.ropes.front().elements.front()).section;
-    rope_wave_step = std::sqrt(rope.mass_per_length / rope.EA);
-  }
-
-  // Largest step in use at this time: the elements' (with safety) and, as the closing ropes shorten, that of the axial
-  // waves in their elements, L/c.
-  double allowed_step(double time) const {
+  // Largest step in use at this time: the elements' (with safety) and, as the closing ropes shorten, that of their
+  // elements.
+  double allowed_step(double time) {
     if (scenario.solver.time_step > 0) return scenario.solver.time_step;
     const VariableRope& rope = pocket.model.ropes.front();
     const double length = rope.motion(time).length / static_cast<double>(rope.elements.size());
-    return scenario.solver.safety * std::min(stable.step, rope_wave_step * length);
+    return scenario.solver.safety * std::min(stable.step, rope_step(length));
+  }
+
+  // Stable step of a closing-rope element, for its length rounded down to a power of 1.01: seldom anything to compute,
+  // and the same whatever came before.
+  double rope_step(double length) {
+    constexpr double kRatio = 1.01;
+    const int length_class = static_cast<int>(std::floor(std::log(length) / std::log(kRatio)));
+    if (length_class != rope_step_class) {
+      rope_step_class = length_class;
+      const std::int32_t element = pocket.model.ropes.front().elements.front();
+      rope_step_value =
+          stable_step_of_lumped_element(pocket.model.material_of(element).section, std::pow(kRatio, length_class));
+    }
+    return rope_step_value;
   }
 
   // Goes over to the laws of another scenario at the present time.

@@ -6,6 +6,7 @@
 
 #include "engine/ancf/full_element.h"
 #include "engine/ancf/mass.h"
+#include "engine/ancf/mean_strain_element.h"
 #include "engine/dynamics/consistent_mass.h"
 
 namespace netpocket {
@@ -129,17 +130,10 @@ StableStep find_stable_step(const Model& model, const SlotLayout& layout, std::s
 
 namespace {
 
-// Smallest stable step over the modes of one free element.
-double stable_step_of_element(const BatchElement& element, bool lumped, const ElementCoordinates& q) {
-  const auto stiffness = [&](double EA, double EI) -> ElementTangent {
-    CableSection section = element.section;
-    section.EA = EA;
-    section.EI = EI;
-    return FullElement(section, {.length = element.length}).tangent(q);
-  };
-  const ElementTangent axial = stiffness(element.section.EA, 0), bending = stiffness(0, element.section.EI);
-  Eigen::Matrix4d mass = consistent_mass(element.section.mass_per_length, element.length);
-  if (lumped) mass = lumped_mass(element.section.mass_per_length, element.length).asDiagonal();
+// Smallest stable step over the modes of one free element, from its tangents without and with bending stiffness and its
+// mass matrix, which acts on each component alike.
+double smallest_over_modes(const CableSection& section, const ElementTangent& axial, const ElementTangent& bending,
+                           const Eigen::Matrix4d& mass) {
   ElementTangent mass_matrix = ElementTangent::Zero();
   for (int a = 0; a < 4; ++a) {
     for (int b = 0; b < 4; ++b) mass_matrix.block<3, 3>(3 * a, 3 * b) = mass(a, b) * Eigen::Matrix3d::Identity();
@@ -148,11 +142,21 @@ double stable_step_of_element(const BatchElement& element, bool lumped, const El
   double step = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 12; ++i) {
     const auto mode = modes.eigenvectors().col(i);
-    const double damping = element.section.axial_damping * mode.dot(axial * mode) +
-                           element.section.bending_damping * mode.dot(bending * mode);
+    const double damping =
+        section.axial_damping * mode.dot(axial * mode) + section.bending_damping * mode.dot(bending * mode);
     step = std::min(step, stable_for(modes.eigenvalues()[i], std::max(damping, 0.0)));
   }
   return step;
+}
+
+template <typename Element>
+double stable_step_of_element(const CableSection& section, double length, const Eigen::Matrix4d& mass,
+                              const ElementCoordinates& q) {
+  CableSection axial = section, bending = section;
+  axial.EI = 0;
+  bending.EA = 0;
+  const MaterialSpan span{.length = length};
+  return smallest_over_modes(section, Element(axial, span).tangent(q), Element(bending, span).tangent(q), mass);
 }
 
 }  // namespace
@@ -164,11 +168,22 @@ StableStep find_stable_step_of_full_elements(const Model& model, std::span<const
   for (std::size_t i = 0; i < elements.size(); ++i) {
     ElementCoordinates q;
     for (int corner = 0; corner < 4; ++corner) q.col(corner) = coordinates.get(elements[i].slot[corner]);
-    const double step = stable_step_of_element(elements[i], lumped[i] != 0, q);
+    const CableSection& section = elements[i].section;
+    Eigen::Matrix4d mass = consistent_mass(section.mass_per_length, elements[i].length);
+    if (lumped[i] != 0) mass = lumped_mass(section.mass_per_length, elements[i].length).asDiagonal();
+    const double step = stable_step_of_element<FullElement>(section, elements[i].length, mass, q);
     if (step < result.step)
       result = {step, "the full element's stiffness in " + model.threads[model.elements[i].thread]};
   }
   return result;
+}
+
+double stable_step_of_lumped_element(const CableSection& section, double length) {
+  ElementCoordinates straight = ElementCoordinates::Zero();
+  straight(0, 1) = straight(0, 3) = 1;
+  straight(0, 2) = length;
+  return stable_step_of_element<MeanStrainElement>(section, length,
+                                                   lumped_mass(section.mass_per_length, length).asDiagonal(), straight);
 }
 
 }  // namespace netpocket
