@@ -1,5 +1,6 @@
 #include "gui/workbench/editor/pairs_field.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QTableWidget>
@@ -39,10 +40,8 @@ PairsField::PairsField(const Parameter& parameter, QWidget* parent)
   if (profile) return;
 
   add_ = new QToolButton(this);
-  add_->setIcon(glyph_icon(Glyph::add, Tone::muted, palette()));
   add_->setToolTip(tr("Add a row below"));
   remove_ = new QToolButton(this);
-  remove_->setIcon(glyph_icon(Glyph::remove, Tone::muted, palette()));
   remove_->setToolTip(tr("Remove the row"));
   connect(add_, &QToolButton::clicked, this, &PairsField::add_row);
   connect(remove_, &QToolButton::clicked, this, &PairsField::remove_row);
@@ -51,6 +50,18 @@ PairsField::PairsField(const Parameter& parameter, QWidget* parent)
   buttons->addWidget(remove_);
   buttons->addStretch();
   layout->addLayout(buttons);
+  set_icons();
+}
+
+void PairsField::set_icons() {
+  if (!add_) return;
+  add_->setIcon(glyph_icon(Glyph::add, Tone::muted, palette()));
+  remove_->setIcon(glyph_icon(Glyph::remove, Tone::muted, palette()));
+}
+
+void PairsField::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::PaletteChange) set_icons();
+  ParameterField::changeEvent(event);
 }
 
 void PairsField::show_value(const ParameterValue& value) {

@@ -18,9 +18,13 @@ class PairsField : public ParameterField {
 
   QTableWidget* table() const { return table_; }
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
   using Pairs = std::vector<Eigen::Vector2d>;
 
+  void set_icons();
   void fill();
   void fit_height();
   void read_cell(int row, int column);

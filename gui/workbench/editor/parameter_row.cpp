@@ -102,7 +102,8 @@ void ParameterRow::place_field() {
     layout_->addWidget(field_, 1, 0, 1, 2);
     layout_->addWidget(unit_, 0, 1, Qt::AlignLeft | Qt::AlignVCenter);
   } else {
-    layout_->addWidget(field_, 0, 1);
+    const bool long_text = parameter_.type == ParameterType::text;  // takes the place of the unit it does not have
+    layout_->addWidget(field_, 0, 1, 1, long_text ? 2 : 1);
     layout_->addWidget(unit_, 0, 2, Qt::AlignVCenter);
   }
 }

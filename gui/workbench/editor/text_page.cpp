@@ -41,14 +41,16 @@ TextPage::TextPage(ScenarioDocument* document, QWidget* parent)
 void TextPage::show_document() {
   if (committing_) return;
   pause_.stop();
-  view_->set_text(document_->text());
+  view_->set_text(document_->text().remove('\r'));
   set_problems({});
 }
 
 bool TextPage::commit() {
   pause_.stop();
+  QString text = view_->toPlainText();
+  if (document_->text().contains("\r\n")) text.replace("\n", "\r\n");  // as the file had it
   committing_ = true;
-  Diagnostics problems = document_->set_text(view_->toPlainText());
+  Diagnostics problems = document_->set_text(text);
   committing_ = false;
   if (problems.ok()) view_->settle();
   set_problems(std::move(problems));

@@ -82,6 +82,10 @@ FindingsPanel::FindingsPanel(QWidget* parent)
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
   table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  fit_.setSingleShot(true);
+  fit_.setInterval(0);
+  connect(&fit_, &QTimer::timeout, this, &FindingsPanel::fit_rows);
+  connect(table_->horizontalHeader(), &QHeaderView::sectionResized, &fit_, qOverload<>(&QTimer::start));
   table_->setAccessibleName(tr("Findings"));
 
   auto* bar = new QHBoxLayout;
@@ -131,13 +135,12 @@ void FindingsPanel::show_capture() {
 }
 
 void FindingsPanel::fill() {
-  const int scrolled = table_->verticalScrollBar()->value();
+  scrolled_ = table_->verticalScrollBar()->value();
   table_->setRowCount(0);
   const bool several = !findings_.empty() && findings_.front().cases.size() > 1;
   table_->setColumnHidden(kRun, !several);
   for (const Finding& finding : findings_) add_rows(finding);
-  fit_rows();
-  table_->verticalScrollBar()->setValue(scrolled);
+  fit_.start();
   table_->setVisible(!findings_.empty());
   empty_->setVisible(findings_.empty());
   export_->setEnabled(!findings_.empty());
@@ -198,14 +201,11 @@ void FindingsPanel::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
 }
 
-void FindingsPanel::resizeEvent(QResizeEvent* event) {
-  QWidget::resizeEvent(event);
-  fit_rows();
-}
-
 void FindingsPanel::fit_rows() {
   table_->resizeRowsToContents();
   for (int row = 0; row < table_->rowCount(); ++row) table_->setRowHeight(row, table_->rowHeight(row) + kRowPadding);
+  if (scrolled_) table_->verticalScrollBar()->setValue(*scrolled_);
+  scrolled_.reset();
 }
 
 std::optional<QString> FindingsPanel::export_findings(const QString& path) const {

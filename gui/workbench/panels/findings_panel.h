@@ -1,6 +1,7 @@
 #pragma once
 // The findings dock: whether the run so far shows what the paper found, F1 to F11, and whether the target is captured.
 
+#include <QTimer>
 #include <QWidget>
 #include <optional>
 #include <vector>
@@ -45,7 +46,6 @@ class FindingsPanel : public QWidget {
 
  protected:
   void changeEvent(QEvent* event) override;
-  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void fill();
@@ -65,6 +65,8 @@ class FindingsPanel : public QWidget {
   QLabel* empty_;
   QToolButton* export_;
   QTableWidget* table_;
+  std::optional<int> scrolled_;  // to be restored after filling
+  QTimer fit_;                   // once the columns have their widths
 };
 
 }  // namespace netpocket

@@ -86,6 +86,15 @@ TEST_F(Text, UndoFirstTakesBackTypingThenEdits) {
   EXPECT_EQ(view().toPlainText(), "[target]\nradius = 4.5\nmass = 200\n");
 }
 
+TEST_F(Text, LineEndsOfTheFileStay) {
+  ASSERT_TRUE(document->open(document.write("dos.toml", "[target]\r\nradius = 4.0\r\n")).ok());
+  EXPECT_TRUE(editor.commit());
+  EXPECT_FALSE(document->is_modified()) << "nothing was typed";
+  type_at_end("mass = 150");
+  EXPECT_TRUE(editor.commit());
+  EXPECT_EQ(document->text(), "[target]\r\nradius = 4.0\r\nmass = 150");
+}
+
 TEST_F(Text, CommentsAloneAreAnEditToo) {
   type_at_end("# note");
   EXPECT_TRUE(editor.commit());
