@@ -46,8 +46,6 @@ ScenarioEditor::ScenarioEditor(ScenarioDocument* document, QWidget* parent)
   connect(text_, &TextPage::problem_changed, this, &ScenarioEditor::show_text_problem);
   connect(form_, &ParameterForm::tried, this, &ScenarioEditor::preview);
   connect(document_, &ScenarioDocument::changed, this, &ScenarioEditor::follow_edit);
-  auto* find = new QShortcut(QKeySequence::Find, this, nullptr, nullptr, Qt::WidgetWithChildrenShortcut);
-  connect(find, &QShortcut::activated, this, &ScenarioEditor::focus_search);
 }
 
 QWidget* ScenarioEditor::make_search_bar() {
@@ -55,8 +53,7 @@ QWidget* ScenarioEditor::make_search_bar() {
   search_->setPlaceholderText(tr("Search parameters"));
   search_->setClearButtonEnabled(true);
   search_->setAccessibleName(tr("Search parameters"));
-  search_->setToolTip(tr("Part of a name, key, unit, help or source (%1)")
-                          .arg(QKeySequence(QKeySequence::Find).toString(QKeySequence::NativeText)));
+  search_->setToolTip(tr("Part of a name, key, unit, help or source"));
   changed_only_->setText(tr("Changed"));
   changed_only_->setCheckable(true);
   changed_only_->setToolTip(tr("Show only values that differ from the file"));

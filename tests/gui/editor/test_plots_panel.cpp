@@ -19,7 +19,8 @@ class Plots : public testing::Test {
     panel.show();
   }
   void settle() {
-    QTest::qWait(80);  // the throttle's 50 ms and the paint
+    const bool expected = !panel.series().empty();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return time_range(panel.chart()->figure()).has_value() == expected; }));
     panel.grab();
   }
 
