@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
+#include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -15,6 +16,8 @@
 #include "gui/workbench/dialogs/about_dialog.h"
 #include "gui/workbench/dialogs/shortcut_sheet.h"
 #include "gui/workbench/editor/scenario_editor.h"
+#include "gui/workbench/export/export_dialog.h"
+#include "gui/workbench/export/export_tray.h"
 #include "gui/workbench/file_actions.h"
 #include "gui/workbench/findings_updater.h"
 #include "gui/workbench/panels/findings_panel.h"
@@ -53,13 +56,16 @@ MainWindow::MainWindow(const WindowOptions& options)
       session_(std::make_unique<CaptureSession>(options.session)),
       document_(options.recovery_folder.isEmpty() ? std::make_unique<ScenarioDocument>()
                                                   : std::make_unique<ScenarioDocument>(options.recovery_folder)),
-      preview_(std::make_unique<PreviewBuilder>()) {
+      preview_(std::make_unique<PreviewBuilder>()),
+      program_(options.program) {
   setAcceptDrops(true);
   setDockNestingEnabled(true);
   setCentralWidget(make_center(options.presenter));
   make_docks();
   status_ = new RunStatusBar;
   setStatusBar(status_);
+  exports_ = new ExportTray;
+  status_->addWidget(exports_);
   make_menus(options);
   connect_document();
   connect_session();
@@ -150,6 +156,11 @@ void MainWindow::make_menus(const WindowOptions& options) {
   file_actions_ = new FileActions(*document_, *settings_, this);
   file_actions_->fill(*file, *bar);
   file->addSeparator();
+  file->addAction(tr("Save run as…"), QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_S), this, &MainWindow::save_run)
+      ->setStatusTip(tr("Save the shown run as a recording"));
+  file->addAction(tr("&Export…"), QKeySequence(Qt::CTRL | Qt::Key_E), this, &MainWindow::ask_for_export)
+      ->setStatusTip(tr("Pictures, video, figures, tables of the shown run"));
+  file->addSeparator();
   auto* quit = file->addAction(tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), this, &QWidget::close);
   quit->setMenuRole(QAction::QuitRole);
 
@@ -224,6 +235,11 @@ void MainWindow::connect_session() {
 }
 
 void MainWindow::connect_panels() {
+  connect(exports_, &ExportTray::failed, this, &MainWindow::show_notice);
+  connect(exports_, &ExportTray::finished, this,
+          [this](const QString& result) { status_->showMessage(tr("Exported %1").arg(result), 10000); });
+  connect(&session_->runs(), &RunLibrary::saved, this,
+          [this](const QString& path) { status_->showMessage(tr("Saved %1").arg(path), 10000); });
   connect(plots_, &PlotsPanel::time_clicked, timeline_, &TimelineBar::go_to);
   connect(plots_, &PlotsPanel::export_failed, this, &MainWindow::show_notice);
   connect(findings_, &FindingsPanel::export_failed, this, &MainWindow::show_notice);
@@ -282,7 +298,6 @@ void MainWindow::open(const QString& path) {
 void MainWindow::show_preview(const PocketPreview& preview) {
   // While a run goes on it is shown, whatever is edited.
   if (session_->is_running()) return;
-  showing_preview_ = true;
   view_actions_->set_phases(std::nullopt);
   viewport_->set_pocket(preview.structure, preview.snapshot);
 }
@@ -290,7 +305,6 @@ void MainWindow::show_preview(const PocketPreview& preview) {
 void MainWindow::show_frame(const std::shared_ptr<const Snapshot>& snapshot) {
   const Run* run = session_->current();
   if (run == nullptr) return;
-  showing_preview_ = false;
   view_actions_->set_phases(phase_times(run->scenario));
   viewport_->set_pocket(run->structure, snapshot);
   plots_->set_time(snapshot->time);
@@ -317,6 +331,42 @@ void MainWindow::strategy_answered(const Diagnostics& refused, double time) {
   if (const Run* live = session_->live(); live != nullptr && live->frame_count() > 1) {
     session_->runs().add_note(live->id, {TimeMark::Kind::strategy, time, tr("Strategy changed")});
   }
+}
+
+void MainWindow::ask_for_export() {
+  const Run* run = session_->current();
+  if (run == nullptr || run->frame_count() == 0) {
+    show_notice(tr("There is no run to export yet."));
+    return;
+  }
+  const QString folder = QFileInfo(document_->path()).path();
+  ExportDialog dialog(document_->path().isEmpty() ? QString() : folder, run->name, this);
+  if (dialog.exec() != QDialog::Accepted) return;
+  export_run([&dialog](const QString& recording) { return dialog.arguments(recording); }, dialog.label(),
+             dialog.target());
+}
+
+void MainWindow::export_run(const std::function<QStringList(const QString& recording)>& arguments, const QString& label,
+                            const QString& result) {
+  const Run* run = session_->current();
+  if (run == nullptr) return;
+  const QStringList command = arguments(QString::fromStdString(run->file->path()));
+  session_->runs().flush(run->id, [this, command, label, result](const QString&) {
+    exports_->add(std::make_unique<ExportJob>(program_, command, label, result));
+  });
+}
+
+void MainWindow::save_run() {
+  const Run* run = session_->current();
+  if (run == nullptr || run->frame_count() == 0) {
+    show_notice(tr("There is no run to save yet."));
+    return;
+  }
+  QString path = QFileDialog::getSaveFileName(this, tr("Save run"), run->name + ".h5", tr("Recordings (*.h5)"));
+  if (path.isEmpty()) return;
+  if (QFileInfo(path).suffix().isEmpty()) path += ".h5";
+  file_actions_->note_recent(path);
+  session_->runs().save(run->id, path);
 }
 
 void MainWindow::update_title() {

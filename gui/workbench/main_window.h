@@ -3,6 +3,7 @@
 
 #include <QMainWindow>
 #include <QSettings>
+#include <functional>
 #include <memory>
 
 #include "gui/workbench/editor/scenario_document.h"
@@ -14,6 +15,7 @@ class QLabel;
 
 namespace netpocket {
 
+class ExportTray;
 class FileActions;
 class FindingsPanel;
 class FindingsUpdater;
@@ -53,6 +55,7 @@ class MainWindow : public QMainWindow {
   FindingsPanel& findings() { return *findings_; }
   RunActions& run_actions() { return *run_actions_; }
   FileActions& file_actions() { return *file_actions_; }
+  ExportTray& exports() { return *exports_; }
   QSettings& settings() { return *settings_; }
   // The sentence in the bar under the toolbar; empty when there is none.
   QString notice() const;
@@ -60,6 +63,9 @@ class MainWindow : public QMainWindow {
   // What can be simulated; nothing, and the problem is shown, when the scenario has an error.
   std::optional<Scenario> scenario_to_run();
   void show_notice(const QString& text);
+  // Exports the shown run as the program's command `arguments`, made for its recording.
+  void export_run(const std::function<QStringList(const QString& recording)>& arguments, const QString& label,
+                  const QString& result);
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -81,6 +87,8 @@ class MainWindow : public QMainWindow {
   void run_changed();
   void update_title();
   void update_plots();
+  void ask_for_export();
+  void save_run();
   void strategy_answered(const Diagnostics& refused, double time);
 
   std::unique_ptr<QSettings> settings_;
@@ -100,7 +108,8 @@ class MainWindow : public QMainWindow {
   RunActions* run_actions_ = nullptr;
   ViewActions* view_actions_ = nullptr;
   FileActions* file_actions_ = nullptr;
-  bool showing_preview_ = true;
+  ExportTray* exports_ = nullptr;
+  QString program_;
 };
 
 }  // namespace netpocket

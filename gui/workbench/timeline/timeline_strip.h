@@ -27,7 +27,7 @@ class TimelineStrip : public QWidget {
   double x_at(double time) const;
 
   QSize sizeHint() const override;
-  QSize minimumSizeHint() const override { return sizeHint(); }
+  QSize minimumSizeHint() const override { return {120, sizeHint().height()}; }
 
  signals:
   void time_chosen(double time);

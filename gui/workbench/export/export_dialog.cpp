@@ -1,0 +1,149 @@
+#include "gui/workbench/export/export_dialog.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <array>
+
+namespace netpocket {
+namespace {
+
+struct KindEntry {
+  const char* name;
+  const char* target;  // appended to the run's name
+  bool draws;          // size, camera, colours matter
+  bool rate;           // frames a second matter
+};
+
+constexpr std::array kKinds = {
+    KindEntry{QT_TRANSLATE_NOOP("ExportDialog", "Pictures (PNG)"), "_frames", true, true},
+    KindEntry{QT_TRANSLATE_NOOP("ExportDialog", "Video (MP4)"), ".mp4", true, true},
+    KindEntry{QT_TRANSLATE_NOOP("ExportDialog", "Contact sheet (PNG)"), "_sheet.png", true, false},
+    KindEntry{QT_TRANSLATE_NOOP("ExportDialog", "Figures of the paper"), "_figures", false, false},
+    KindEntry{QT_TRANSLATE_NOOP("ExportDialog", "Channels (CSV)"), "_csv", false, false},
+    KindEntry{QT_TRANSLATE_NOOP("ExportDialog", "ParaView series"), "_paraview", false, false},
+};
+
+QComboBox* make_choice(const std::initializer_list<std::pair<QString, QString>>& entries) {
+  auto* choice = new QComboBox;
+  for (const auto& [text, value] : entries) choice->addItem(text, value);
+  return choice;
+}
+
+}  // namespace
+
+ExportDialog::ExportDialog(const QString& folder, const QString& name, QWidget* parent)
+    : QDialog(parent),
+      folder_(folder.isEmpty() ? QDir::homePath() : folder),
+      name_(QString(name).replace(QRegularExpression("[^A-Za-z0-9._-]+"), "_")),
+      kind_(new QComboBox),
+      target_(new QLineEdit),
+      form_(new QFormLayout(this)),
+      size_(make_choice({{"1280 × 720", "1280x720"}, {"1920 × 1080", "1920x1080"}, {"3840 × 2160", "3840x2160"}})),
+      rate_(new QDoubleSpinBox),
+      camera_(make_choice({{tr("Oblique"), "iso"},
+                           {tr("Side"), "side"},
+                           {tr("Front"), "front"},
+                           {tr("Mouth"), "mouth"},
+                           {tr("Follow"), "follow"}})),
+      colors_(make_choice({{tr("Plain colours"), "none"},
+                           {tr("Tension"), "tension"},
+                           {tr("Strain"), "strain"},
+                           {tr("Speed"), "speed"}})),
+      background_(make_choice({{tr("White"), "white"}, {tr("Space"), "space"}})),
+      format_(make_choice({{"PDF", "pdf"}, {"SVG", "svg"}, {"PNG", "png"}})),
+      buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel)) {
+  setWindowTitle(tr("Export"));
+  for (const KindEntry& entry : kKinds) kind_->addItem(tr(entry.name));
+  rate_->setRange(0.1, 1000);
+  rate_->setValue(25);
+  rate_->setDecimals(1);
+  rate_->setSuffix(tr(" per simulated second"));
+  form_->addRow(tr("What:"), kind_);
+  form_->addRow(tr("To:"), make_target_row());
+  form_->addRow(tr("Pictures:"), rate_);
+  form_->addRow(tr("Size:"), size_);
+  form_->addRow(tr("Camera:"), camera_);
+  form_->addRow(tr("Colours:"), colors_);
+  form_->addRow(tr("Background:"), background_);
+  form_->addRow(tr("Format:"), format_);
+  form_->addRow(buttons_);
+  buttons_->button(QDialogButtonBox::Ok)->setText(tr("Export"));
+  connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
+  connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  connect(kind_, &QComboBox::currentIndexChanged, this, &ExportDialog::kind_changed);
+  connect(target_, &QLineEdit::textChanged, this, [this](const QString& text) {
+    buttons_->button(QDialogButtonBox::Ok)->setEnabled(!text.trimmed().isEmpty());
+  });
+  kind_changed();
+  setMinimumWidth(460);
+}
+
+QWidget* ExportDialog::make_target_row() {
+  auto* row = new QWidget;
+  auto* browse_button = new QPushButton(tr("Browse…"));
+  browse_button->setAutoDefault(false);
+  connect(browse_button, &QPushButton::clicked, this, &ExportDialog::browse);
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(target_, 1);
+  layout->addWidget(browse_button);
+  return row;
+}
+
+void ExportDialog::choose(ExportKind kind) { kind_->setCurrentIndex(static_cast<int>(kind)); }
+ExportKind ExportDialog::kind() const { return static_cast<ExportKind>(kind_->currentIndex()); }
+void ExportDialog::set_target(const QString& path) { target_->setText(QDir::toNativeSeparators(path)); }
+QString ExportDialog::target() const { return target_->text().trimmed(); }
+QString ExportDialog::label() const { return kind_->currentText(); }
+
+void ExportDialog::kind_changed() {
+  const KindEntry& entry = kKinds[static_cast<std::size_t>(kind_->currentIndex())];
+  set_target(QDir(folder_).filePath(name_ + entry.target));
+  const auto show = [this](QWidget* field, bool shown) {
+    field->setVisible(shown);
+    form_->labelForField(field)->setVisible(shown);
+  };
+  for (QWidget* field : {static_cast<QWidget*>(size_), static_cast<QWidget*>(camera_), static_cast<QWidget*>(colors_),
+                         static_cast<QWidget*>(background_)}) {
+    show(field, entry.draws);
+  }
+  show(rate_, entry.rate);
+  show(format_, kind() == ExportKind::figures);
+  adjustSize();
+}
+
+void ExportDialog::browse() {
+  const bool is_file = kind() == ExportKind::video || kind() == ExportKind::sheet;
+  const QString path = is_file ? QFileDialog::getSaveFileName(this, tr("Export to"), target())
+                               : QFileDialog::getExistingDirectory(this, tr("Export to"), folder_);
+  if (!path.isEmpty()) set_target(path);
+}
+
+QStringList ExportDialog::arguments(const QString& recording) const {
+  const auto value = [](const QComboBox* choice) { return choice->currentData().toString(); };
+  switch (kind()) {
+    case ExportKind::figures:
+      return {"plot", recording, "-o", target(), "--format", value(format_)};
+    case ExportKind::csv:
+      return {"export", recording, "--csv", target()};
+    case ExportKind::paraview:
+      return {"export", recording, "--vtp", target()};
+    default:
+      break;
+  }
+  QStringList arguments{"render",     recording,      "--camera",     value(camera_),
+                        "--color-by", value(colors_), "--background", value(background_)};
+  if (kind() == ExportKind::sheet) return arguments << "--sheet" << target();
+  arguments << "--size" << value(size_) << "--fps" << QString::number(rate_->value());
+  return arguments << (kind() == ExportKind::video ? "--video" : "-o") << target();
+}
+
+}  // namespace netpocket

@@ -1,0 +1,76 @@
+#include <gtest/gtest.h>
+
+#include "gui/workbench/simulation/pocket_preview.h"
+#include "gui/workbench/viewport/pick_description.h"
+#include "gui/workbench/viewport/picker.h"
+#include "render/scene/visible_points.h"
+
+namespace netpocket {
+namespace {
+
+const QSizeF kSize(900, 700);
+
+ViewState case1_view(CameraPreset preset) {
+  const PocketPreview pocket = preview_pocket(Scenario{});
+  ViewState state{pocket.structure, pocket.snapshot, std::make_shared<const SceneOptions>(), {}};
+  state.camera = frame_view(preset, visible_points(*state.structure, *state.snapshot), kSize.width() / kSize.height());
+  return state;
+}
+
+QPointF on_screen(const ViewState& state, const Eigen::Vector3d& point) {
+  return OrbitCamera(state.camera).project(point, kSize)->position;
+}
+
+TEST(Picker, FindsTheNodeUnderTheMouse) {
+  const ViewState state = case1_view(CameraPreset::front);
+  const std::int32_t tip = state.structure->rod_tips[1];
+  const auto pick = pick_at(state, on_screen(state, state.snapshot->positions.col(tip)) + QPointF(2, 1), kSize);
+  ASSERT_TRUE(pick);
+  EXPECT_EQ(pick->kind, PickKind::node);
+  EXPECT_EQ(pick->index, tip);
+}
+
+TEST(Picker, FindsTheRodUnderTheMouse) {
+  const ViewState state = case1_view(CameraPreset::side);
+  for (std::size_t i = 0; i < state.structure->elements.size(); ++i) {
+    const auto& element = state.structure->elements[i];
+    if (element.kind != ElementKind::rod) continue;
+    const Pick middle{PickKind::element, static_cast<std::int32_t>(i), 0.5, {0, 0, 0}};
+    const auto where = position_of(middle, *state.structure, *state.snapshot);
+    const auto pick = pick_at(state, on_screen(state, *where), kSize);
+    ASSERT_TRUE(pick);
+    // Something in front of it may be what is seen; then it is nearer.
+    const auto found = position_of(*pick, *state.structure, *state.snapshot);
+    const Eigen::Vector3d forward = (state.camera.focal_point - state.camera.position).normalized();
+    EXPECT_LE((*found - *where).dot(forward), 0.2);
+  }
+}
+
+TEST(Picker, FindsTheTargetThroughTheMouthButNotACordBehindIt) {
+  const ViewState state = case1_view(CameraPreset::front);
+  const auto pick = pick_at(state, on_screen(state, state.snapshot->bodies[1].position), kSize);
+  ASSERT_TRUE(pick);
+  ASSERT_EQ(pick->kind, PickKind::body);
+  EXPECT_EQ(state.structure->bodies[static_cast<std::size_t>(pick->index)].role, BodyRole::target);
+  // The sphere's nearest point to a viewer on the axis: 4.5 m before its centre (case 1), to the tracing's tolerance.
+  EXPECT_NEAR(pick->local.norm(), 4.5, 1e-3);
+}
+
+TEST(Picker, FindsNothingInTheVoid) {
+  const ViewState state = case1_view(CameraPreset::iso);
+  EXPECT_FALSE(pick_at(state, {3, 3}, kSize));
+  EXPECT_FALSE(pick_at(ViewState{}, {3, 3}, kSize));
+}
+
+TEST(Picker, DescribesWhatWasPicked) {
+  const ViewState state = case1_view(CameraPreset::front);
+  const auto body = describe_pick({PickKind::body, 1, 0, {0, 0, 0}}, *state.structure, *state.snapshot);
+  EXPECT_EQ(body.title, "target");
+  EXPECT_EQ(body.rows.front().value, "0.000, 7.500, 0.000 m");  // scenarios/case1.toml
+  const auto node =
+      describe_pick({PickKind::node, state.structure->rod_tips[0], 0, {0, 0, 0}}, *state.structure, *state.snapshot);
+  EXPECT_TRUE(node.detail.contains("rod")) << node.detail.toStdString();
+}
+
+}  // namespace
+}  // namespace netpocket

@@ -1,0 +1,60 @@
+#include <QFile>
+
+#include "gui/workbench/session/frame_cache.h"
+#include "gui/workbench/session/run_library.h"
+#include "tests/gui/workbench/window_fixture.h"
+
+namespace netpocket {
+namespace {
+
+std::shared_ptr<const Snapshot> frame_of(double time) {
+  auto frame = std::make_shared<Snapshot>();
+  frame->time = time;
+  frame->positions.setZero(3, 100);
+  return frame;
+}
+
+TEST(FrameCache, KeepsWhatWasUsedLastWithinItsBytes) {
+  const std::size_t size = frame_bytes(*frame_of(0));
+  FrameCache cache(3 * size);
+  for (std::size_t i = 0; i < 3; ++i) cache.add(0, i, frame_of(0));
+  EXPECT_TRUE(cache.find(0, 0));
+  cache.add(0, 3, frame_of(0));
+  EXPECT_TRUE(cache.find(0, 0));
+  EXPECT_FALSE(cache.find(0, 1));
+  EXPECT_LE(cache.bytes(), 3 * size);
+  cache.forget(0);
+  EXPECT_EQ(cache.bytes(), 0u);
+}
+
+// Frames that no longer fit in memory come from the recording.
+TEST_F(WindowTest, FramesBeyondTheCacheComeFromTheFile) {
+  ASSERT_TRUE(run_to(0.6));
+  auto& session = window_->session();
+  auto& runs = session.runs();
+  const RunId id = session.current()->id;
+  const Eigen::Matrix3Xd positions = runs.frame(id, 5)->positions;
+  runs.frame(id, 6);  // the frame used last stays in any case
+  runs.set_cache_bytes(1);
+  ASSERT_FALSE(runs.frame(id, 5));
+  std::shared_ptr<const Snapshot> frame;
+  ASSERT_TRUE(wait_until([&] { return (frame = runs.frame(id, 5)) != nullptr; }));
+  // Recordings hold positions in single precision (engine/recording/FORMAT.md): 6e-8 of at most 20 m.
+  EXPECT_LT((frame->positions - positions).cwiseAbs().maxCoeff(), 2e-6);
+}
+
+TEST_F(WindowTest, RunSavedAsARecordingOpensAgain) {
+  ASSERT_TRUE(run_to(0.3));
+  auto& session = window_->session();
+  const auto times = session.current()->series.times();
+  session.runs().save(session.current()->id, file("saved.h5"));
+  ASSERT_TRUE(wait_until([&] { return QFile::exists(file("saved.h5")); }));
+  session.runs().finish_writing();
+  window_->open(file("saved.h5"));
+  ASSERT_TRUE(wait_until([&] { return session.current() && !session.current()->simulated_here; }));
+  EXPECT_EQ(session.current()->series.times().size(), times.size());
+  EXPECT_EQ(session.current()->scenario.name, "quick");
+}
+
+}  // namespace
+}  // namespace netpocket

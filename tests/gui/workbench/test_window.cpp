@@ -1,0 +1,220 @@
+#include <QDir>
+#include <QDropEvent>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QMimeData>
+#include <QTest>
+#include <QUndoStack>
+#include <QUrl>
+
+#include "gui/workbench/export/export_tray.h"
+#include "gui/workbench/file_actions.h"
+#include "gui/workbench/panels/findings_panel.h"
+#include "gui/workbench/panels/plots_panel.h"
+#include "gui/workbench/run_actions.h"
+#include "gui/workbench/timeline/timeline_bar.h"
+#include "gui/workbench/viewport/viewport.h"
+#include "tests/gui/workbench/window_fixture.h"
+
+namespace netpocket {
+namespace {
+
+const Parameter& parameter(const char* key) { return *find_parameter(key); }
+
+TEST_F(WindowTest, ShowsThePocketAtOnce) {
+  ASSERT_TRUE(wait_until([&] { return !window_->viewport().picture().isNull(); }));
+  screenshot("empty");
+  const QImage picture = window_->viewport().picture();
+  EXPECT_GT(picture.width(), 200);
+  // Not blank: rods, net and target are there.
+  QSet<QRgb> colors;
+  for (int x = 0; x < picture.width(); x += 7) {
+    for (int y = 0; y < picture.height(); y += 7) colors.insert(picture.pixel(x, y));
+  }
+  EXPECT_GT(colors.size(), 20);
+}
+
+TEST_F(WindowTest, RunsPausesAndGoesBack) {
+  ASSERT_TRUE(run_to(0.5));
+  auto& session = window_->session();
+  EXPECT_EQ(session.current(), session.live());
+  EXPECT_NEAR(session.current()->end_time(), 0.5, 1e-6);
+  screenshot("running");
+  window_->timeline().go_to(0.2);
+  EXPECT_NEAR(session.current()->series.times()[session.shown_index()], 0.2, 0.011);
+  ASSERT_TRUE(wait_for_picture());
+  EXPECT_NEAR(window_->viewport().state().snapshot->time, 0.2, 0.011);
+}
+
+TEST_F(WindowTest, SpaceRunsAndPauses) {
+  QTest::keyClick(&window_->viewport(), Qt::Key_Space);
+  auto& session = window_->session();
+  ASSERT_TRUE(wait_until([&] { return session.is_running() && session.live()->frame_count() > 3; }));
+  QTest::keyClick(&window_->viewport(), Qt::Key_Space);
+  ASSERT_TRUE(wait_until([&] { return !session.is_running(); }));
+  EXPECT_EQ(session.live()->state, RunState::paused);
+}
+
+TEST_F(WindowTest, FinishesAndJudgesTheRun) {
+  window_->run_actions().restart();
+  auto& session = window_->session();
+  ASSERT_TRUE(wait_until([&] { return session.live() && session.live()->state == RunState::ended; }, 120));
+  EXPECT_NEAR(session.live()->end_time(), 2, 1e-6);
+  ASSERT_TRUE(wait_until([&] { return !window_->findings().findings().empty(); }));
+  EXPECT_EQ(window_->plots().series().size(), 1u);
+  EXPECT_EQ(window_->plots().series().front().times().size(), session.live()->frame_count());
+  screenshot("finished");
+}
+
+TEST_F(WindowTest, EditRedrawsThePocketAndCanBeUndone) {
+  ASSERT_TRUE(wait_until([&] { return window_->viewport().state().structure != nullptr; }));
+  auto& document = window_->document();
+  const auto before = window_->viewport().state().structure;
+  ASSERT_FALSE(document.set_value(parameter("pocket.rod_count"), std::int64_t{6}));
+  ASSERT_TRUE(wait_until([&] { return window_->viewport().state().structure->rod_tips.size() == 6; }));
+  EXPECT_TRUE(window_->isWindowModified());
+  document.undo_stack()->undo();
+  ASSERT_TRUE(wait_until([&] { return window_->viewport().state().structure->rod_tips.size() == 8; }));
+  EXPECT_EQ(before->elements.size(), window_->viewport().state().structure->elements.size());
+}
+
+TEST_F(WindowTest, PreviewFollowsAnEditQuickly) {
+  window_->document().start_from(Scenario{});
+  ASSERT_TRUE(wait_for_picture());
+  QTest::qWait(200);
+  QElapsedTimer timer;
+  timer.start();
+  ASSERT_FALSE(window_->document().set_value(parameter("target.radius"), 4.0));
+  const auto has_new_target = [&] {
+    const auto& structure = window_->viewport().state().structure;
+    return std::get<Sphere>(structure->bodies[1].shape).radius == 4.0;
+  };
+  ASSERT_TRUE(wait_until(has_new_target));
+  RecordProperty("preview_ms", static_cast<int>(timer.elapsed()));
+  // Case 1 takes 10 to 20 ms; busy test machines get five times the 50 ms of the requirement.
+  EXPECT_LT(timer.elapsed(), 250);
+}
+
+TEST_F(WindowTest, StrategyEditActsOnTheRun) {
+  ASSERT_TRUE(run_to(0.2));
+  ASSERT_FALSE(window_->document().set_value(parameter("closing.duration"), 1.5));
+  auto& session = window_->session();
+  ASSERT_TRUE(wait_until([&] { return session.live()->scenario.closing.duration == 1.5; }));
+  EXPECT_NEAR(session.live()->series.closing_end, 1.5, 1e-9);
+}
+
+TEST_F(WindowTest, BranchSharesThePastAndKeepsTheOriginal) {
+  ASSERT_TRUE(run_to(0.6));
+  auto& session = window_->session();
+  const RunId original = session.current()->id;
+  const std::size_t frames = session.current()->frame_count();
+  window_->timeline().go_to(0.3);
+  const std::size_t shared = session.shown_index() + 1;
+  ASSERT_FALSE(window_->document().set_value(parameter("closing.duration"), 3.0));
+  window_->run_actions().branch();
+  ASSERT_NE(session.current()->id, original);
+  EXPECT_EQ(session.current()->frame_count(), shared);
+  session.resume({.until = 0.6});
+  ASSERT_TRUE(wait_until([&] { return session.current()->end_time() >= 0.6 - 1e-6; }));
+  EXPECT_EQ(session.runs().find(original)->frame_count(), frames);
+  const auto& length = session.current()->series.channel(Channel::commanded_length);
+  const auto& before = session.runs().find(original)->series.channel(Channel::commanded_length);
+  EXPECT_EQ(length[shared - 1], before[shared - 1]);
+  EXPECT_GT(length.back(), before.back() + 1);  // slower closing: the mouth is wider by metres
+  screenshot("branch");
+}
+
+TEST_F(WindowTest, ClosesWhileRunning) {
+  window_->document().start_from(Scenario{});
+  window_->run_actions().restart();
+  ASSERT_TRUE(wait_until([&] { return window_->session().is_running(); }));
+  QElapsedTimer timer;
+  timer.start();
+  window_->close();
+  window_.reset();
+  EXPECT_LT(timer.elapsed(), 5000);
+}
+
+TEST_F(WindowTest, BrokenFilesAreRefusedInOneSentence) {
+  write_file("broken.toml", "[pocket\nrod_count = ");
+  window_->open(file("broken.toml"));
+  EXPECT_TRUE(window_->notice().contains("broken.toml")) << window_->notice().toStdString();
+  EXPECT_EQ(window_->document().scenario().name, "quick");
+  screenshot("broken_file");
+  write_file("broken.h5", "this is not HDF5");
+  window_->open(file("broken.h5"));
+  ASSERT_TRUE(wait_until([&] { return window_->notice().contains("broken.h5"); }));
+  window_->open(file("missing.h5"));
+  ASSERT_TRUE(wait_until([&] { return window_->notice().contains("missing.h5"); }));
+}
+
+TEST_F(WindowTest, TakesADroppedScenario) {
+  write_file("dropped.toml", "name = \"dropped\"\n[pocket]\nrod_count = 6\n");
+  QMimeData data;
+  data.setUrls({QUrl::fromLocalFile(file("dropped.toml"))});
+  QDragEnterEvent enter(QPoint(100, 100), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(window_.get(), &enter);
+  EXPECT_TRUE(enter.isAccepted());
+  QDropEvent drop(QPointF(100, 100), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(window_.get(), &drop);
+  EXPECT_EQ(window_->document().scenario().name, "dropped");
+  EXPECT_EQ(window_->document().scenario().pocket.rod_count, 6);
+  EXPECT_TRUE(window_->file_actions().recent().front().endsWith("dropped.toml"));
+}
+
+TEST_F(WindowTest, ExportsFramesOfARunThatIsStillThere) {
+  ASSERT_TRUE(run_to(0.2));
+  const QString frames = file("frames");
+  window_->export_run(
+      [&](const QString& recording) {
+        return QStringList{"render", recording, "-o", frames, "--fps", "10", "--size", "160x120"};
+      },
+      "Pictures", frames);
+  ASSERT_TRUE(wait_until([&] { return window_->exports().is_busy(); }));
+  ASSERT_TRUE(wait_until([&] { return !window_->exports().is_busy(); }, 60));
+  EXPECT_EQ(window_->notice(), QString());
+  EXPECT_EQ(QDir(frames).entryList({"*.png"}).size(), 3);
+}
+
+TEST_F(WindowTest, FailedExportSaysWhy) {
+  ASSERT_TRUE(run_to(0.1));
+  window_->export_run(
+      [&](const QString& recording) {
+        return QStringList{"render", recording, "-o", "/proc/no"};
+      },
+      "Pictures", "/proc/no");
+  ASSERT_TRUE(wait_until([&] { return window_->notice().contains("/proc/no"); }, 60))
+      << window_->notice().toStdString();
+}
+
+TEST_F(WindowTest, PicksARodAndTellsItsName) {
+  ASSERT_TRUE(wait_for_picture());
+  auto& viewport = window_->viewport();
+  const auto& state = viewport.state();
+  const auto tip =
+      OrbitCamera(state.camera).project(state.snapshot->positions.col(state.structure->rod_tips[0]), viewport.size());
+  QTest::mouseClick(&viewport, Qt::LeftButton, {}, tip->position.toPoint());
+  ASSERT_TRUE(viewport.selection());
+  EXPECT_EQ(viewport.selection()->kind, PickKind::node);
+  screenshot("picked");
+  QTest::keyClick(&viewport, Qt::Key_Escape);
+  EXPECT_FALSE(viewport.selection());
+}
+
+TEST_F(WindowTest, AnyReasonableSizeWorks) {
+  for (const QSize size : {QSize(1280, 800), QSize(1920, 1080), QSize(700, 480)}) {
+    window_->resize(size);
+    EXPECT_TRUE(wait_for_picture());
+    screenshot(QString("size_%1").arg(size.width()));
+  }
+}
+
+TEST_F(WindowTest, RemembersItsLayout) {
+  window_->resize(1000, 700);
+  window_->close();
+  window_ = std::make_unique<MainWindow>(options_);
+  EXPECT_TRUE(window_->settings().contains("window/layout"));
+}
+
+}  // namespace
+}  // namespace netpocket

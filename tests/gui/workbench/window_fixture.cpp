@@ -1,0 +1,80 @@
+#include "tests/gui/workbench/window_fixture.h"
+
+#include <QElapsedTimer>
+#include <QFile>
+#include <QTest>
+
+#include "gui/workbench/viewport/viewport.h"
+
+namespace netpocket {
+
+Scenario quick_scenario() {
+  Scenario scenario;
+  scenario.name = "quick";
+  scenario.pocket.mesh_columns = 2;
+  scenario.pocket.mesh_rows = 2;
+  scenario.pocket.elements_per_side = 1;
+  scenario.closing.duration = 0.8;
+  scenario.towing.start = 1;
+  scenario.output.end_time = 2;
+  return scenario;
+}
+
+WindowTest::WindowTest() {
+  options_.settings_file = file("settings.ini");
+  options_.recovery_folder = file("recovery");
+  options_.program = NETPOCKET_PROGRAM;
+  window_ = std::make_unique<MainWindow>(options_);
+  window_->document().start_from(quick_scenario());
+  window_->show();
+  window_->activateWindow();
+  (void)QTest::qWaitForWindowActive(window_.get());
+}
+
+WindowTest::~WindowTest() = default;
+
+bool WindowTest::wait_until(const std::function<bool()>& condition, double seconds) {
+  QElapsedTimer timer;
+  timer.start();
+  while (!condition()) {
+    if (timer.elapsed() > 1000 * seconds) return false;
+    QTest::qWait(5);
+  }
+  return true;
+}
+
+bool WindowTest::run_to(double time) {
+  const auto scenario = window_->scenario_to_run();
+  if (!scenario) return false;
+  window_->session().start(*scenario, false);
+  window_->session().resume({.until = time});
+  return wait_until([&] {
+    const auto* live = window_->session().live();
+    return live && live->end_time() >= time - 1e-6 && live->state == RunState::paused;
+  });
+}
+
+bool WindowTest::wait_for_picture() {
+  bool came = false;
+  const auto connection = QObject::connect(&window_->viewport(), &Viewport::picture_shown, [&] { came = true; });
+  window_->viewport().set_snapshot(window_->viewport().state().snapshot);
+  const bool shown = wait_until([&] { return came; });
+  QObject::disconnect(connection);
+  return shown;
+}
+
+void WindowTest::screenshot(const QString& name) {
+  const QString folder = qEnvironmentVariable("NETPOCKET_SCREENSHOTS");
+  if (folder.isEmpty()) return;
+  wait_for_picture();
+  QTest::qWait(300);
+  window_->grab().save(QString("%1/%2.png").arg(folder, name));
+}
+
+void WindowTest::write_file(const QString& name, const QByteArray& content) const {
+  QFile out(file(name));
+  ASSERT_TRUE(out.open(QIODevice::WriteOnly));
+  out.write(content);
+}
+
+}  // namespace netpocket

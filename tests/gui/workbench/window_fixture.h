@@ -1,0 +1,39 @@
+#pragma once
+// A real main window with settings and files of its own, and a scenario that runs in a second or two.
+
+#include <gtest/gtest.h>
+
+#include <QTemporaryDir>
+#include <functional>
+#include <memory>
+
+#include "gui/workbench/main_window.h"
+
+namespace netpocket {
+
+// Coarse net, few frames: quick to simulate, with everything in it.
+Scenario quick_scenario();
+
+class WindowTest : public testing::Test {
+ protected:
+  WindowTest();
+  ~WindowTest() override;
+
+  // Processes events until the condition holds; false after `seconds`.
+  static bool wait_until(const std::function<bool()>& condition, double seconds = 30);
+  // Lets a run come to `time`, s, and pauses it.
+  bool run_to(double time);
+  // Until the viewport shows a picture of the state that it was given last.
+  bool wait_for_picture();
+  // With NETPOCKET_SCREENSHOTS=FOLDER set: a picture of the window for people.
+  void screenshot(const QString& name);
+
+  QString file(const QString& name) const { return folder_.filePath(name); }
+  void write_file(const QString& name, const QByteArray& content) const;
+
+  QTemporaryDir folder_;
+  WindowOptions options_;
+  std::unique_ptr<MainWindow> window_;
+};
+
+}  // namespace netpocket
