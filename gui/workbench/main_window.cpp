@@ -22,6 +22,7 @@
 #include "gui/workbench/findings_updater.h"
 #include "gui/workbench/panels/findings_panel.h"
 #include "gui/workbench/panels/plots_panel.h"
+#include "gui/workbench/picked_series.h"
 #include "gui/workbench/run_actions.h"
 #include "gui/workbench/run_status_bar.h"
 #include "gui/workbench/runs_panel.h"
@@ -243,6 +244,7 @@ void MainWindow::connect_panels() {
   connect(plots_, &PlotsPanel::time_clicked, timeline_, &TimelineBar::go_to);
   connect(plots_, &PlotsPanel::export_failed, this, &MainWindow::show_notice);
   connect(findings_, &FindingsPanel::export_failed, this, &MainWindow::show_notice);
+  connect(viewport_, &Viewport::plot_requested, this, &MainWindow::plot_pick);
   connect(runs_panel_, &RunsPanel::compared_changed, this, &MainWindow::update_plots);
   connect(findings_updater_.get(), &FindingsUpdater::evaluated, this, [this](const FindingsResult& result) {
     findings_->set_findings(result.findings, result.running);
@@ -299,16 +301,33 @@ void MainWindow::show_preview(const PocketPreview& preview) {
   // While a run goes on it is shown, whatever is edited.
   if (session_->is_running()) return;
   view_actions_->set_phases(std::nullopt);
+  if (session_->current()) viewport_->set_hint(tr("Edited scenario, not simulated yet"));
   viewport_->set_pocket(preview.structure, preview.snapshot);
 }
 
 void MainWindow::show_frame(const std::shared_ptr<const Snapshot>& snapshot) {
   const Run* run = session_->current();
   if (run == nullptr) return;
+  if (!viewport_->is_measuring()) viewport_->set_hint({});
   view_actions_->set_phases(phase_times(run->scenario));
   viewport_->set_pocket(run->structure, snapshot);
   plots_->set_time(snapshot->time);
   status_->show_run(run, session_->shown_index());
+}
+
+void MainWindow::plot_pick(const Pick& pick) {
+  const Run* run = session_->current();
+  if (run == nullptr || run->frame_count() == 0) {
+    show_notice(tr("There is no run yet whose frames could be plotted."));
+    return;
+  }
+  const auto quantities = quantities_of(pick);
+  session_->runs().collect(
+      run->id, [pick, structure = run->structure](const Snapshot& frame) { return values_of(pick, *structure, frame); },
+      [this, quantities](const std::vector<double>& times, const std::vector<std::vector<double>>& rows) {
+        plots_->set_picked(picked_panels(quantities, times, rows));
+        plots_->show_figure("picked");
+      });
 }
 
 void MainWindow::run_changed() {

@@ -9,6 +9,7 @@
 #include "gui/workbench/editor/scenario_document.h"
 #include "gui/workbench/preview_builder.h"
 #include "gui/workbench/session/capture_session.h"
+#include "gui/workbench/viewport/picker.h"
 #include "gui/workbench/viewport/presenter.h"
 
 class QLabel;
@@ -87,6 +88,7 @@ class MainWindow : public QMainWindow {
   void run_changed();
   void update_title();
   void update_plots();
+  void plot_pick(const Pick& pick);
   void ask_for_export();
   void save_run();
   void strategy_answered(const Diagnostics& refused, double time);

@@ -42,11 +42,12 @@ QString energy_text(const RunSeries& series, std::size_t frame) {
 }  // namespace
 
 RunStatusBar::RunStatusBar(QWidget* parent) : QStatusBar(parent) {
+  setSizeGripEnabled(false);
   state_ = add_field(tr("What the run is doing"), "Preparing");
   time_ = add_field(tr("Simulated time"), "t = 000.000 s");
   speed_ = add_field(tr("Speed of the simulation against real time"), "0.000 × real time");
   step_ = add_field(tr("Integration step, and what limits it"), "");
-  contacts_ = add_field(tr("Contact points that touch the target"), "000 contacts");
+  contacts_ = add_field(tr("Contact points that touch the target"), "contacts: 000");
   energy_ = add_field(tr("Energy balance: its error against the energy put in"), "energy error 0.0e-00 %");
 }
 
@@ -69,7 +70,7 @@ void RunStatusBar::show_run(const Run* run, std::size_t frame) {
   speed_->setText(tr("%1 × real time").arg(run->speed, 0, 'g', 3));
   step_->setText(step_text(run->statistics, run->series.channel(Channel::time_step)[last]));
   step_->setVisible(!step_->text().isEmpty());
-  contacts_->setText(tr("%n contact(s)", nullptr, static_cast<int>(run->series.channel(Channel::contact_count)[last])));
+  contacts_->setText(tr("contacts: %1").arg(run->series.channel(Channel::contact_count)[last]));
   energy_->setText(energy_text(run->series, last));
 }
 

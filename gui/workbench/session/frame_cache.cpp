@@ -21,6 +21,11 @@ FrameCache::Frame FrameCache::find(RunId run, std::size_t index) {
   return entry->second.frame;
 }
 
+FrameCache::Frame FrameCache::peek(RunId run, std::size_t index) const {
+  const auto entry = entries_.find({run, index});
+  return entry == entries_.end() ? nullptr : entry->second.frame;
+}
+
 void FrameCache::add(RunId run, std::size_t index, Frame frame) {
   const Key key{run, index};
   if (find(run, index)) return;

@@ -25,6 +25,8 @@ class FrameCache {
 
   // Null when it is not in memory.
   Frame find(RunId run, std::size_t index);
+  // The same, without counting as a use.
+  Frame peek(RunId run, std::size_t index) const;
   void add(RunId run, std::size_t index, Frame frame);
   void forget(RunId run);
 

@@ -253,6 +253,19 @@ void RunLibrary::save(RunId id, const QString& path) {
   });
 }
 
+void RunLibrary::collect(RunId id, FrameValues values, CollectedRows use) {
+  const Run* run = find(id);
+  if (run == nullptr) return;
+  std::vector<std::shared_ptr<const Snapshot>> frames;
+  for (std::size_t i = 0; i < run->frame_count(); ++i) frames.push_back(cache_.peek(id, i));
+  store([this, frames = std::move(frames), times = run->series.times(), file = run->file, values = std::move(values),
+         use = std::move(use)] {
+    std::vector<std::vector<double>> rows;
+    for (std::size_t i = 0; i < frames.size(); ++i) rows.push_back(values(frames[i] ? *frames[i] : file->frame(i)));
+    later([use, times, rows] { use(times, rows); });
+  });
+}
+
 void RunLibrary::flush(RunId id, std::function<void(const QString& path)> use) {
   const Run* run = find(id);
   if (run == nullptr) return;

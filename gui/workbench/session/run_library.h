@@ -56,6 +56,11 @@ class RunLibrary : public QObject {
   void save(RunId id, const QString& path);
   // Calls `use` on the user interface's thread when everything simulated so far is in the run's recording.
   void flush(RunId id, std::function<void(const QString& path)> use);
+  // Computes a row of numbers from every frame of a run in the background, then calls `use` on the user interface's
+  // thread with the frames' times and rows.
+  using FrameValues = std::function<std::vector<double>(const Snapshot&)>;
+  using CollectedRows = std::function<void(const std::vector<double>& times, const std::vector<std::vector<double>>&)>;
+  void collect(RunId id, FrameValues values, CollectedRows use);
   // Waits until nothing is left to write. For closing and for tests.
   void finish_writing() { storage_.finish(); }
 

@@ -6,6 +6,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
+#include <QVBoxLayout>
 #include <array>
 #include <cmath>
 
@@ -83,8 +84,8 @@ void TimelineBar::make_actions() {
 }
 
 void TimelineBar::make_layout() {
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(6, 2, 8, 2);
+  auto* layout = new QHBoxLayout;
+  layout->setContentsMargins(6, 0, 12, 0);
   layout->setSpacing(2);
   for (QAction* action : {first_, back_, step_back_, play_, step_, last_, loop_}) {
     auto* button = new QToolButton;
@@ -100,12 +101,18 @@ void TimelineBar::make_layout() {
   speed_->setAccessibleName(tr("Speed of playing"));
   connect(speed_, &QComboBox::currentIndexChanged, this,
           [this] { playback_.set_speed(speed_->currentData().toDouble()); });
+  layout->addSpacing(8);
   layout->addWidget(speed_);
-  layout->addWidget(strip_, 1);
+  layout->addStretch(1);
   time_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   time_->setMinimumWidth(fontMetrics().horizontalAdvance("000.000 / 000.00 s") + 8);
   time_->setToolTip(tr("Time shown, and end of what is recorded"));
   layout->addWidget(time_);
+  auto* rows = new QVBoxLayout(this);
+  rows->setContentsMargins(0, 2, 0, 4);
+  rows->setSpacing(0);
+  rows->addWidget(strip_);
+  rows->addLayout(layout);
 }
 
 void TimelineBar::go_to(double time) {

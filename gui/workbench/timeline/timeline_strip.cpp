@@ -115,6 +115,7 @@ void TimelineStrip::paintEvent(QPaintEvent*) {
 }
 
 void TimelineStrip::paint_ticks(QPainter& painter) const {
+  if (span() <= kShortestSpan) return;
   const QFontMetrics metrics = fontMetrics();
   const double label_width = metrics.horizontalAdvance("000.00 s") + 18;
   const double step = tick_step(std::max(1e-4, span() * label_width / track().width()));

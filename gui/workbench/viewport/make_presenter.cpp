@@ -43,6 +43,8 @@ void prepare_opengl_format() {
   format.setRenderableType(QSurfaceFormat::OpenGL);
   format.setVersion(3, 2);
   format.setProfile(QSurfaceFormat::CoreProfile);
+  // A forward-compatible context would draw every line one pixel wide.
+  format.setOption(QSurfaceFormat::DeprecatedFunctions);
   format.setSwapInterval(0);
   format.setSamples(0);
   format.setDepthBufferSize(24);

@@ -165,6 +165,8 @@ void Viewport::set_measuring(bool measuring) {
   update_overlay(shown_);
 }
 
+void Viewport::set_hint(const QString& hint) { overlay_->set_hint(hint); }
+
 void Viewport::set_message(const QString& message) { overlay_->set_message(message); }
 
 void Viewport::place_panel() {

@@ -48,6 +48,8 @@ class Viewport : public QWidget {
 
   // In the middle of the viewport, when there is nothing else to see.
   void set_message(const QString& message);
+  // In small letters on top; for what is shown.
+  void set_hint(const QString& hint);
   QImage picture() { return presenter_->picture(); }
   QString presenter_description() const { return presenter_->description(); }
 

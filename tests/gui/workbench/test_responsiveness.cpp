@@ -57,9 +57,28 @@ TEST_F(WindowTest, EventLoopStaysQuickWhileCase1RunsAtFullSpeed) {
   EXPECT_LT(worst, 250);
 }
 
-TEST_F(WindowTest, ScrubbingShowsFramesQuickly) {
+TEST_F(WindowTest, FirstPictureComesSoon) {
+  window_.reset();
+  QElapsedTimer timer;
+  timer.start();
+  window_ = std::make_unique<MainWindow>(options_);
+  bool came = false;
+  QObject::connect(&window_->viewport(), &Viewport::picture_shown, [&] { came = true; });
+  window_->show();
+  ASSERT_TRUE(wait_until([&] { return came; }));
+  std::cout << "first picture after " << timer.elapsed() << " ms\n";
+  RecordProperty("first_picture_ms", static_cast<int>(timer.elapsed()));
+  EXPECT_LT(timer.elapsed(), 1500);
+}
+
+TEST_F(WindowTest, ScrubbingThousandFramesFromTheFileIsQuick) {
+  Scenario scenario = quick_scenario();
+  scenario.output.frame_rate = 1000;
+  window_->document().start_from(scenario);
   ASSERT_TRUE(run_to(1.0));
   auto& session = window_->session();
+  ASSERT_GE(session.current()->frame_count(), 1000u);
+  session.runs().set_cache_bytes(1);
   ASSERT_TRUE(wait_for_picture());
   std::vector<double> times;
   for (std::size_t i = 0; i < session.current()->frame_count(); i += 3) {

@@ -201,6 +201,41 @@ TEST_F(WindowTest, PicksARodAndTellsItsName) {
   EXPECT_FALSE(viewport.selection());
 }
 
+TEST_F(WindowTest, PlotsWhatWasPickedOverTheRun) {
+  ASSERT_TRUE(run_to(0.3));
+  auto& viewport = window_->viewport();
+  const Pick target{PickKind::body, 1, 0, {0, 0, 0}};
+  viewport.select(target);
+  emit viewport.plot_requested(target);
+  ASSERT_TRUE(wait_until([&] { return window_->plots().figure_name() == "picked"; }));
+  ASSERT_TRUE(wait_until([&] { return window_->plots().chart()->figure().panels.size() == 2; }));
+  const auto& height = window_->plots().chart()->figure().panels[0].curves[1];
+  EXPECT_EQ(height.x.size(), window_->session().current()->frame_count());
+  EXPECT_NEAR(height.y.front(), 7.5, 1e-9);  // scenarios/case1.toml: the target's start
+  screenshot("picked_plot");
+}
+
+TEST_F(WindowTest, EditingAfterARunShowsThePreviewAndSaysSo) {
+  ASSERT_TRUE(run_to(0.1));
+  ASSERT_FALSE(window_->document().set_value(parameter("pocket.rod_count"), std::int64_t{6}));
+  ASSERT_TRUE(wait_until([&] { return window_->viewport().state().structure->rod_tips.size() == 6; }));
+  screenshot("preview_after_run");
+  window_->timeline().go_to(0.05);
+  EXPECT_EQ(window_->viewport().state().structure->rod_tips.size(), 8u);
+}
+
+TEST_F(WindowTest, FollowsADarkDesktop) {
+  const QPalette light = QApplication::palette();
+  QPalette dark(QColor(45, 48, 54), QColor(38, 41, 46));
+  dark.setColor(QPalette::Base, QColor(30, 32, 36));
+  QApplication::setPalette(dark);
+  EXPECT_TRUE(wait_until([&] { return window_->viewport().options().background == Background::space; }));
+  EXPECT_TRUE(run_to(0.4));
+  screenshot("dark");
+  QApplication::setPalette(light);
+  EXPECT_TRUE(wait_until([&] { return window_->viewport().options().background == Background::white; }));
+}
+
 TEST_F(WindowTest, AnyReasonableSizeWorks) {
   for (const QSize size : {QSize(1280, 800), QSize(1920, 1080), QSize(700, 480)}) {
     window_->resize(size);

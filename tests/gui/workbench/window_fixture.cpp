@@ -67,7 +67,8 @@ void WindowTest::screenshot(const QString& name) {
   const QString folder = qEnvironmentVariable("NETPOCKET_SCREENSHOTS");
   if (folder.isEmpty()) return;
   wait_for_picture();
-  QTest::qWait(300);
+  QTest::qWait(500);
+  wait_for_picture();
   window_->grab().save(QString("%1/%2.png").arg(folder, name));
 }
 
