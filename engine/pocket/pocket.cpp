@@ -180,8 +180,11 @@ SectorIndex PocketBuilder::panel_node(const SectorIndex& rod_node, double across
 void PocketBuilder::add_net_thread(const std::vector<SectorIndex>& knots, const std::string& what) {
   if (knots.size() < 2) return;
   const std::vector<int> divisions(knots.size() - 1, scenario_.pocket.elements_per_side);
-  sectors_.add_thread(knots, divisions, net_, ElementKind::net,
-                      [&](int sector) { return fmt::format("panel {} {}", sector + 1, what); });
+  // Straight cords would buckle in whatever direction round-off gives them; these know theirs.
+  const Bow bow{scenario_.pocket.bow, {0, profile(1).y(), 0}};
+  sectors_.add_thread(
+      knots, divisions, net_, ElementKind::net,
+      [&](int sector) { return fmt::format("panel {} {}", sector + 1, what); }, bow);
 }
 
 void PocketBuilder::add_lower_net() {

@@ -134,6 +134,7 @@ constexpr std::array kParameters = {
     parameter<kPocket, &Pocket::mesh_columns>("pocket.mesh_columns", within(1, 100), "", "cells across a panel at the kink; also rows of its triangular part", kAssumption),
     parameter<kPocket, &Pocket::mesh_rows>("pocket.mesh_rows", within(1, 100), "", "rows of the square part of a panel, from kink to tip", kAssumption),
     parameter<kPocket, &Pocket::elements_per_side>("pocket.elements_per_side", within(1, 20), "", "cable elements on a side of a mesh", kAssumption),
+    parameter<kPocket, &Pocket::bow>("pocket.bow", within(0, 0.05), "", "rise of a mesh side at its middle, part of its length: no cord is straight; 0 leaves it to round-off how cords buckle", "assumption: sensitivity to imperfections, Koiter 1945"),
 
     parameter<kNet, &Cord::diameter>("net.diameter", within(1e-5, 0.1), "m", "diameter of a cord", kTable2),
     parameter<kNet, &Cord::density>("net.density", within(1e-6, 1e6), "kg/m^3", "density", kTable2),

@@ -31,6 +31,7 @@ struct PocketParameters {
   int mesh_columns = 6;       // cells across a panel at the kink row; also rows of the triangular part
   int mesh_rows = 6;          // rows of the square part
   int elements_per_side = 2;  // cable elements per mesh side
+  double bow = 1e-3;          // rise of a mesh side's bow, part of its length
 };
 
 struct RodParameters {
