@@ -202,7 +202,7 @@ TEST(SteppedForce, ReboundIsThatOfTheLawAtAnyStep) {
         const Rebounds rebounds = rebounds_over_phases(resolved_law(restitution, dt), speed, dt);
         EXPECT_NEAR(rebounds.mean, exact, 0.01) << "c_r " << restitution << ", dt " << dt << ", " << speed << " m/s";
         EXPECT_NEAR(rebounds.smallest, exact, 0.04);
-        EXPECT_NEAR(rebounds.largest, exact, 0.07);  // where the damper first acts at full depth of a step
+        EXPECT_NEAR(rebounds.largest, exact, 0.08);  // where the damper first acts at full depth of a step
       }
     }
   }
