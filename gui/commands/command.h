@@ -34,6 +34,7 @@ Action declare_run(CLI::App& app);
 Action declare_check(CLI::App& app);
 Action declare_render(CLI::App& app);
 Action declare_plot(CLI::App& app);
+Action declare_report(CLI::App& app);
 Action declare_export(CLI::App& app);
 Action declare_info(CLI::App& app);
 Action declare_findings(CLI::App& app);

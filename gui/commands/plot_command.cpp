@@ -15,6 +15,7 @@ struct PlotChoice {
   std::string output;
   std::vector<std::string> figures;
   std::string format = "png";
+  double resolution = kPrintResolution;
 };
 
 std::string figure_list() {
@@ -34,6 +35,10 @@ Action declare_plot(CLI::App& app) {
       ->allow_extra_args(false)
       ->check(one_of(figure_names()));
   add_choice(app, "--format", choice->format, "file format", {"png", "svg", "pdf"});
+  app.add_option("--dpi", choice->resolution, "dots per inch of PNG figures")
+      ->type_name("N")
+      ->check(CLI::Range(20.0, 2400.0))
+      ->capture_default_str();
   app.footer(figure_list() + R"(
 Examples:
   netpocket plot case1.h5 -o figures
@@ -44,7 +49,7 @@ Examples:
     const std::vector<Recording> recordings = open_recordings(choice->recordings);
     const std::vector<RunSeries> runs = run_series(pointers(recordings));
     make_output_folder(choice->output);
-    plot_figures(runs, choice->output, {figure_format(choice->format), choice->figures});
+    plot_figures(runs, choice->output, {figure_format(choice->format), choice->figures, choice->resolution});
     return ExitCode::ok;
   };
 }

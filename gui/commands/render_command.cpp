@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <fstream>
 #include <memory>
 
 #include "gui/commands/command.h"
@@ -9,17 +10,25 @@
 #include "gui/commands/recordings.h"
 #include "render/output/render_frames.h"
 #include "render/output/render_sheet.h"
+#include "render/output/write_gltf.h"
+#include "render/render_error.h"
+#include "render/scene/view_file.h"
 
 namespace netpocket {
 namespace {
 
 constexpr const char* kExamples =
-    R"(Needs no display. Without --times, --fps or --every: 25 pictures a second, and six panels on a sheet.
+    R"(Needs no display. Without --times, --fps or --every: 25 pictures a second, and six panels on a sheet. Several
+recordings are drawn next to each other at equal times. A view file holds position, focal_point (m), and view_angle
+(degrees) or half_height (m); --save-view writes one to start from.
 
 Examples:
   netpocket render case1.h5 -o frames --fps 25 --video case1.mp4
   netpocket render case1.h5 --times 0,2.5,5,7.5,10,15 --sheet sheet.png
   netpocket render case1.h5 -o frames --times 10 --camera mouth --color-by tension --size 3840x2160
+  netpocket render case1.h5 --times 6 -o frames --arrows --ghost --trails --target-opacity 0.4
+  netpocket render case1.h5 case2.h5 case3.h5 --video side_by_side.mp4
+  netpocket render case1.h5 --times 10 --gltf closed.glb
 
 )";
 
@@ -27,66 +36,103 @@ constexpr double kDefaultRate = 25;  // pictures per second
 constexpr int kDefaultPanels = 6;
 
 struct RenderChoice {
-  std::string recording;
-  std::string folder, sheet, video;
+  std::vector<std::string> recordings;
+  std::string folder, sheet, video, gltf, saved_view;
   std::vector<double> times;
   double rate = kDefaultRate;
   int every = 0;  // 0: not given
-  PictureSize size{1280, 720};
-  PictureSize panel_size{800, 640};
+  PictureSize size{};  // 0: not given
+  PictureSize panel_size{640, 640};
   int columns = 3;
   int supersampling = 2;
-  std::string camera = "iso", color_by = "none", background = "white", backend = "auto", title;
+  std::string camera = "iso", color_by = "none", background = "white", backend = "auto", view_file;
+  std::vector<double> color_range;
+  double arrow_force = 0;  // 0: not given
+  DisplayOptions display;
+  bool transparent = false;
+  bool resume = false;
   bool quiet = false;
 };
 
+CameraView load_view(const std::string& path) {
+  try {
+    return read_view_file(path);
+  } catch (const RenderError& error) {
+    throw CommandError(ExitCode::bad_input, error.what());
+  }
+}
+
 void apply_look(const RenderChoice& choice, RunView& view) {
+  auto& scene = view.frame.scene;
+  static_cast<DisplayOptions&>(scene) = choice.display;
+  scene.color_by = color_by_from_name(choice.color_by);
+  scene.background = background_from_name(choice.background);
+  if (!choice.color_range.empty()) scene.color_range = ValueRange{choice.color_range[0], choice.color_range[1]};
+  if (choice.arrow_force > 0) scene.arrow_force = choice.arrow_force;
   view.camera = camera_from_name(choice.camera);
   view.backend = gl_backend_from_name(choice.backend);
-  view.frame.scene.color_by = color_by_from_name(choice.color_by);
-  view.frame.scene.background = background_from_name(choice.background);
-  view.frame.scene.title = choice.title;
+  if (!choice.view_file.empty()) view.view = load_view(choice.view_file);
+}
+
+// Several runs share the width that one has by default and half as much again.
+PictureSize picture_size_of(const RenderChoice& choice) {
+  if (choice.size.width > 0) return choice.size;
+  return choice.recordings.size() == 1 ? PictureSize{1280, 720} : PictureSize{640, 640};
 }
 
 RenderOptions render_options(const RenderChoice& choice) {
   RenderOptions options;
   apply_look(choice, options.view);
-  options.view.frame.width = choice.size.width;
-  options.view.frame.height = choice.size.height;
+  const PictureSize size = picture_size_of(choice);
+  options.view.frame.width = size.width;
+  options.view.frame.height = size.height;
   options.view.frame.supersampling = choice.supersampling;
+  options.view.frame.scene.transparent_background = choice.transparent;
   options.folder = choice.folder;
   options.video = choice.video;
   options.video_rate = choice.rate;
+  options.resume = choice.resume;
   return options;
+}
+
+SceneOptions gltf_options(const RenderChoice& choice) {
+  RunView view;
+  apply_look(choice, view);
+  return view.frame.scene;
 }
 
 SheetOptions sheet_options(const RenderChoice& choice) {
   SheetOptions options;
+  const bool time_label = options.view.frame.scene.time_label;
   apply_look(choice, options.view);
+  options.view.frame.scene.time_label = time_label;
   options.view.frame.width = choice.panel_size.width;
   options.view.frame.height = choice.panel_size.height;
   options.layout.columns = choice.columns;
   return options;
 }
 
-// Refuses times that the recording does not reach: the nearest frame would not be what was asked for.
+using Recordings = std::vector<const Recording*>;
+
+// Refuses times that a recording does not reach: the nearest frame would not be what was asked for.
 void check_times(const Recording& recording, const std::vector<double>& times) {
   if (recording.frame_count() == 0) return;
   const double first = recording.times().front(), last = recording.times().back();
   constexpr double kTolerance = 1e-6;  // s
   for (const double time : times) {
     if (time >= first - kTolerance && time <= last + kTolerance) continue;
-    throw CommandError(ExitCode::usage,
-                       fmt::format("--times: {:g} s is outside the recording, {:g} s to {:g} s", time, first, last));
+    throw CommandError(ExitCode::usage, fmt::format("--times: {:g} s is outside the recording \"{}\", {:g} s to {:g} s",
+                                                    time, recording.path(), first, last));
   }
 }
 
-std::vector<double> picture_times(const Recording& recording, const RenderChoice& choice) {
+std::vector<double> picture_times(const Recordings& recordings, const RenderChoice& choice) {
   if (!choice.times.empty()) return choice.times;
-  if (choice.every == 0) return frame_times(recording, choice.rate);
+  if (choice.every == 0) return frame_times(recordings, choice.rate);
   std::vector<double> times;
-  for (std::size_t i = 0; i < recording.frame_count(); i += static_cast<std::size_t>(choice.every)) {
-    times.push_back(recording.times()[i]);
+  const auto& recorded = recordings.front()->times();
+  for (std::size_t i = 0; i < recorded.size(); i += static_cast<std::size_t>(choice.every)) {
+    times.push_back(recorded[i]);
   }
   return times;
 }
@@ -99,30 +145,60 @@ std::vector<double> panel_times(const Recording& recording, const RenderChoice& 
   return times;
 }
 
-void render_pictures(const Recording& recording, const RenderChoice& choice, const std::stop_token& stop) {
+void render_pictures(const Recordings& recordings, const RenderChoice& choice, const std::stop_token& stop) {
   ProgressLine line(!choice.quiet);
   const auto show = [&](const RenderProgress& p) {
     line.update(static_cast<double>(p.done) / static_cast<double>(p.total),
                 fmt::format("picture {} of {}, {} left", p.done, p.total, duration_text(p.seconds_left)));
   };
-  render_frames(recording, picture_times(recording, choice), render_options(choice), show, stop);
+  render_frames(recordings, picture_times(recordings, choice), render_options(choice), show, stop);
+}
+
+void save_view(const Recordings& recordings, const RenderChoice& choice) {
+  const auto view = common_view(recordings, render_options(choice).view).view;
+  if (!view) throw CommandError(ExitCode::usage, "--save-view: the camera \"follow\" is not one view");
+  std::ofstream file(choice.saved_view);
+  file << view_text(*view);
+  file.close();
+  if (!file) throw CommandError(ExitCode::io, fmt::format("cannot write \"{}\"", choice.saved_view));
+}
+
+// Combinations of options that contradict each other.
+void check_choice(const RenderChoice& choice) {
+  const bool pictures = !choice.folder.empty() || !choice.video.empty();
+  if (!pictures && choice.sheet.empty() && choice.gltf.empty() && choice.saved_view.empty()) {
+    throw CommandError(ExitCode::usage, "nothing to write: give --output, --sheet, --video, --gltf or --save-view");
+  }
+  if (choice.transparent && (choice.folder.empty() || !choice.video.empty())) {
+    throw CommandError(ExitCode::usage, "--transparent is for pictures (--output); videos and sheets have a background");
+  }
+  if (choice.resume && choice.folder.empty()) {
+    throw CommandError(ExitCode::usage, "--resume needs --output: the pictures that exist are what it goes on from");
+  }
+  if (!choice.color_range.empty() && !(choice.color_range[0] < choice.color_range[1])) {
+    throw CommandError(ExitCode::usage, "--color-range: the first value must be below the second");
+  }
+  if (!choice.gltf.empty() && (choice.times.size() != 1 || choice.recordings.size() != 1)) {
+    throw CommandError(ExitCode::usage, "--gltf needs one recording and one time, such as --times 10");
+  }
 }
 
 ExitCode render(const RenderChoice& choice) {
-  if (choice.folder.empty() && choice.sheet.empty() && choice.video.empty()) {
-    throw CommandError(ExitCode::usage, "nothing to write: give --output, --sheet or --video");
-  }
-  const Recording recording = open_recording(choice.recording);
-  check_times(recording, choice.times);
+  check_choice(choice);
+  const std::vector<Recording> opened = open_recordings(choice.recordings);
+  const Recordings recordings = pointers(opened);
+  for (const auto* recording : recordings) check_times(*recording, choice.times);
   if (!choice.folder.empty()) make_output_folder(choice.folder);
-  for (const std::string& file : {choice.sheet, choice.video}) {
+  for (const std::string& file : {choice.sheet, choice.video, choice.gltf, choice.saved_view}) {
     if (!file.empty()) require_writable(file);
   }
   const Interrupt interrupt;
   const std::stop_token stop = interrupt.token();
-  if (!choice.folder.empty() || !choice.video.empty()) render_pictures(recording, choice, stop);
+  if (!choice.saved_view.empty()) save_view(recordings, choice);
+  if (!choice.gltf.empty()) write_gltf(*recordings.front(), choice.times.front(), choice.gltf, gltf_options(choice));
+  if (!choice.folder.empty() || !choice.video.empty()) render_pictures(recordings, choice, stop);
   if (!choice.sheet.empty()) {
-    render_sheet(recording, panel_times(recording, choice), choice.sheet, sheet_options(choice), stop);
+    render_sheet(recordings, panel_times(*recordings.front(), choice), choice.sheet, sheet_options(choice), stop);
   }
   return stop.stop_requested() ? ExitCode::interrupted : ExitCode::ok;
 }
@@ -136,6 +212,12 @@ void add_outputs(CLI::App& app, RenderChoice& choice) {
       ->type_name("FILE.png")
       ->group(group);
   app.add_option("--video", choice.video, "video of the pictures (needs ffmpeg)")->type_name("FILE.mp4")->group(group);
+  app.add_option("--gltf", choice.gltf, "one moment in three dimensions, for Blender or a browser (binary glTF)")
+      ->type_name("FILE.glb")
+      ->group(group);
+  app.add_option("--save-view", choice.saved_view, "the view as a file for --view")
+      ->type_name("FILE.toml")
+      ->group(group);
 }
 
 void add_times(CLI::App& app, RenderChoice& choice) {
@@ -161,12 +243,12 @@ void add_times(CLI::App& app, RenderChoice& choice) {
 void add_look(CLI::App& app, RenderChoice& choice) {
   app.add_option_function<std::string>(
          "--size", [&choice](const std::string& text) { choice.size = *picture_size(text); },
-         "of pictures and video, pixels (default: 1280x720)")
+         "of pictures and video, for each recording, pixels (default: 1280x720; of several: 640x640)")
       ->type_name("WxH")
       ->check(is_picture_size());
   app.add_option_function<std::string>(
          "--panel-size", [&choice](const std::string& text) { choice.panel_size = *picture_size(text); },
-         "of a sheet's panels, pixels (default: 800x640)")
+         "of a sheet's panels, pixels (default: 640x640)")
       ->type_name("WxH")
       ->check(is_picture_size());
   app.add_option("--columns", choice.columns, "panels side by side on a sheet")
@@ -178,20 +260,48 @@ void add_look(CLI::App& app, RenderChoice& choice) {
       ->check(whole_number(1, 4))
       ->capture_default_str();
   add_choice(app, "--camera", choice.camera, "where from", {"iso", "side", "front", "mouth", "follow"});
-  add_choice(app, "--color-by", choice.color_by, "colour of cords and rods", {"none", "tension", "strain", "speed"});
+  app.add_option("--view", choice.view_file, "where from, by a view file; instead of --camera")
+      ->type_name("FILE.toml")
+      ->excludes(app.get_option("--camera"));
+  add_choice(app, "--color-by", choice.color_by, "colour of cords and rods",
+             {"none", "tension", "strain", "speed", "contact"});
+  app.add_option("--color-range", choice.color_range, "values at the ends of the colours, SI units (default: by the run)")
+      ->type_name("LOW,HIGH")
+      ->delimiter(',')
+      ->expected(2);
   add_choice(app, "--background", choice.background, "behind the scene", {"white", "space"});
   add_choice(app, "--backend", choice.backend, "OpenGL without a display", {"auto", "osmesa", "egl"});
-  app.add_option("--title", choice.title, "above each picture")->type_name("TEXT");
+  app.add_flag("--transparent", choice.transparent, "pictures without a background");
+  app.add_option("--title", choice.display.title, "above each picture")->type_name("TEXT");
+}
+
+void add_extras(CLI::App& app, RenderChoice& choice) {
+  const char* const group = "What else to show";
+  app.add_flag("--arrows", choice.display.contact_arrows, "forces of contacts as arrows")->group(group);
+  app.add_option("--arrow-force", choice.arrow_force, "force of the longest arrow, N (default: by the run)")
+      ->type_name("N")
+      ->check(positive_number())
+      ->group(group);
+  app.add_flag("--trails", choice.display.trails, "paths of the centres of mass")->group(group);
+  app.add_flag("--ghost", choice.display.ghost, "the pocket's initial shape")->group(group);
+  app.add_option("--target-opacity", choice.display.target_opacity, "0: not seen, 1: solid")
+      ->type_name("N")
+      ->check(CLI::Range(0.0, 1.0))
+      ->group(group);
 }
 
 }  // namespace
 
 Action declare_render(CLI::App& app) {
   const auto choice = std::make_shared<RenderChoice>();
-  app.add_option("RUN.h5", choice->recording, "recording to draw")->required()->type_name("FILE");
+  app.add_option("RUN.h5", choice->recordings, "recordings to draw, next to each other")
+      ->required()
+      ->type_name("FILE");
   add_outputs(app, *choice);
   add_times(app, *choice);
   add_look(app, *choice);
+  add_extras(app, *choice);
+  app.add_flag("--resume", choice->resume, "keep the pictures in the folder that would come out the same");
   app.add_flag("--quiet", choice->quiet, "no progress");
   app.footer(kExamples +
              exit_code_help({ExitCode::bad_input, ExitCode::io, ExitCode::rendering, ExitCode::interrupted}));

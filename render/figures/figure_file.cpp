@@ -14,6 +14,8 @@
 #include <memory>
 #include <system_error>
 
+#include "render/fonts/font_file.h"
+
 namespace netpocket {
 namespace {
 
@@ -134,6 +136,7 @@ const char* to_string(FigureFormat format) {
 }
 
 std::string encode_figure(const Figure& figure, FigureFormat format, double resolution) {
+  font_file();  // Cairo would draw with any other font, or with none
   return format == FigureFormat::png ? encode_png(figure, resolution) : encode_vector(figure, format);
 }
 

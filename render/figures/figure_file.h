@@ -20,7 +20,7 @@ const char* to_string(FigureFormat format);
 
 // The figure as the bytes of a file. `resolution` (dots per inch) matters for PNG only, which also states it inside.
 // SVG has glyphs as outlines, so it looks the same without the fonts; PDF embeds them, so its text can be searched.
-// Throws FigureError when the picture would be larger than Cairo can make.
+// Throws FigureError when the picture would be larger than Cairo can make, RenderError when the font is not installed.
 std::string encode_figure(const Figure& figure, FigureFormat format, double resolution = kPrintResolution);
 
 // Writes the file in the format of its extension: first under a temporary name in the same directory, so that a reader

@@ -16,6 +16,7 @@ namespace {
 using Runs = std::vector<RunSeries>;
 
 constexpr double kRowHeight = 62;              // mm
+constexpr double kForceRowHeight = 46;         // mm
 constexpr double kTitleHeight = 8;             // mm
 constexpr std::size_t kPanelsAcross = 3;       // side by side, more runs start another row
 constexpr double kSmallestMotion = 1e-6;       // m, less is drawn flat
@@ -153,22 +154,46 @@ std::vector<Curve> peak_marker(const RunSeries& run) {
   return {curve};
 }
 
-Panel force_panel(const RunSeries& run, std::string title) {
-  Panel panel = time_panel(std::move(title), "Contact force *F* (N)", phases(run));
+struct ForceComponent {
+  const char* symbol;
+  Channel channel;
+  FigureColour colour;
+};
+
+constexpr std::array<ForceComponent, 3> kForces = {{{"*F_{x}*", Channel::contact_fx, kOrange},
+                                                    {"*F_{y}*", Channel::contact_fy, kBlue},
+                                                    {"*F_{z}*", Channel::contact_fz, kGreen}}};
+
+Panel force_panel(const RunSeries& run, const ForceComponent& force, std::string title) {
+  Panel panel = time_panel(std::move(title), fmt::format("Force {} (N)", force.symbol), phases(run));
   panel.y.minimum_span = kSmallestForce;
-  panel.y_group = 0;
-  panel.curves = {channel_curve(run, Channel::contact_fx, kOrange, "*F_{x}*"),
-                  channel_curve(run, Channel::contact_fy, kBlue, "*F_{y}*"),
-                  channel_curve(run, Channel::contact_fz, kGreen, "*F_{z}*")};
-  for (Curve& curve : panel.curves) curve.width = kThinLine;
-  for (Curve& curve : peak_marker(run)) panel.curves.push_back(curve);
+  panel.curves = {channel_curve(run, force.channel, force.colour, "")};
+  panel.curves.front().width = kThinLine;
+  if (force.channel == Channel::contact_fy) {
+    for (Curve& curve : peak_marker(run)) panel.curves.push_back(curve);
+  }
   return panel;
 }
 
+// A panel for each component, because F_y would hide the others; all runs on the same scale. A few runs stand side by
+// side with a row for each component, more have a row each.
 Figure force_figure(const Runs& runs) {
+  const bool side_by_side = runs.size() <= kPanelsAcross;
+  const std::size_t rows = side_by_side ? kForces.size() : runs.size();
+  const std::size_t columns = side_by_side ? runs.size() : kForces.size();
   std::vector<Panel> panels;
-  for (const RunSeries& run : runs) panels.push_back(force_panel(run, runs.size() > 1 ? run_name(run) : ""));
-  return grid("Contact force on the target" + only_run(runs), panels, std::min(panels.size(), kPanelsAcross));
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t column = 0; column < columns; ++column) {
+      const std::size_t force = side_by_side ? row : column;
+      const RunSeries& run = runs[side_by_side ? column : row];
+      const bool named = runs.size() > 1 && force == 0;
+      panels.push_back(force_panel(run, kForces[force], named ? run_name(run) : ""));
+      panels.back().y_group = static_cast<int>(force);
+    }
+  }
+  Figure figure = grid("Contact force on the target" + only_run(runs), panels, columns);
+  figure.height_mm = kTitleHeight + kForceRowHeight * static_cast<double>(rows);
+  return figure;
 }
 
 // ---- Figures 6, 10 and 11 ----

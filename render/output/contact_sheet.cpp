@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "render/fonts/font_file.h"
 #include "render/render_error.h"
 
 namespace netpocket {
@@ -43,6 +44,11 @@ Image to_image(cairo_surface_t* surface) {
   return image;
 }
 
+void use_font(cairo_t* context, double size, cairo_font_weight_t weight) {
+  cairo_select_font_face(context, kFontFamily, CAIRO_FONT_SLANT_NORMAL, weight);
+  cairo_set_font_size(context, size);
+}
+
 void draw_caption(cairo_t* context, const std::string& caption, double center, double baseline) {
   cairo_text_extents_t extents;
   cairo_text_extents(context, caption.c_str(), &extents);
@@ -53,6 +59,7 @@ void draw_caption(cairo_t* context, const std::string& caption, double center, d
 }  // namespace
 
 Image make_contact_sheet(const std::vector<SheetPanel>& panels, const SheetLayout& layout) {
+  font_file();
   if (panels.empty() || layout.columns < 1) throw RenderError("a contact sheet needs a picture and a column");
   const int count = static_cast<int>(panels.size()), columns = std::min(layout.columns, count);
   const int rows = (count + columns - 1) / columns;
@@ -63,9 +70,10 @@ Image make_contact_sheet(const std::vector<SheetPanel>& panels, const SheetLayou
   }
   const int caption_height = layout.caption_size * 3 / 2;
   const int step_x = width + layout.margin, step_y = height + caption_height + layout.margin;
+  const int head = layout.margin + (layout.headings.empty() ? 0 : 2 * layout.caption_size);
 
   const Surface surface(
-      cairo_image_surface_create(CAIRO_FORMAT_RGB24, layout.margin + columns * step_x, layout.margin + rows * step_y),
+      cairo_image_surface_create(CAIRO_FORMAT_RGB24, layout.margin + columns * step_x, head + rows * step_y),
       cairo_surface_destroy);
   if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS) {
     throw RenderError(fmt::format("a contact sheet of {}x{} panels is too large", columns, rows));
@@ -74,12 +82,16 @@ Image make_contact_sheet(const std::vector<SheetPanel>& panels, const SheetLayou
   cairo_set_source_rgb(context.get(), 1, 1, 1);
   cairo_paint(context.get());
   cairo_set_source_rgb(context.get(), 0.1, 0.11, 0.13);
-  cairo_select_font_face(context.get(), "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
-  cairo_set_font_size(context.get(), layout.caption_size);
+  use_font(context.get(), 1.2 * layout.caption_size, CAIRO_FONT_WEIGHT_BOLD);
+  for (int i = 0; i < std::min(columns, static_cast<int>(layout.headings.size())); ++i) {
+    draw_caption(context.get(), layout.headings[i], layout.margin + i * step_x + width / 2.0,
+                 layout.margin + 1.2 * layout.caption_size);
+  }
+  use_font(context.get(), layout.caption_size, CAIRO_FONT_WEIGHT_NORMAL);
   for (int i = 0; i < count; ++i) {
     const auto& [image, caption] = panels[i];
     const int left = layout.margin + i % columns * step_x + (width - image.width) / 2;
-    const int top = layout.margin + i / columns * step_y;
+    const int top = head + i / columns * step_y;
     cairo_surface_flush(surface.get());
     copy_panel(image, surface.get(), left, top);
     cairo_surface_mark_dirty(surface.get());

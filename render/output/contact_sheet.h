@@ -17,6 +17,7 @@ struct SheetLayout {
   int columns = 3;
   int margin = 24;        // pixels, around and between panels
   int caption_size = 26;  // pixels, height of the letters' line; 0: no captions
+  std::vector<std::string> headings = {};  // above the columns
 };
 
 // Cells are as large as the largest panel; a last row that is not full starts at the left. Throws RenderError when

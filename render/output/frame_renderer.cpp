@@ -4,7 +4,10 @@
 #include <vtkNew.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
+
 #include "render/render_error.h"
+#include "render/scene/palette.h"
 
 namespace netpocket {
 namespace {
@@ -34,15 +37,29 @@ void sum_rows(const std::uint8_t* rows, std::size_t row_bytes, std::uint16_t* su
   }
 }
 
-// Means of neighbouring pixels of the summed rows, red, green and blue.
-template <int samples>
-void average_columns(const std::uint16_t* sums, int width, std::uint8_t* rgb) {
+// Means of neighbouring pixels of the summed rows: `channels` bytes for each four.
+template <int samples, int channels>
+void average_columns(const std::uint16_t* sums, int width, std::uint8_t* means) {
   constexpr unsigned kArea = samples * samples;
-  for (int column = 0; column < width; ++column, sums += 4 * samples, rgb += 3) {
-    for (int c = 0; c < 3; ++c) {
+  for (int column = 0; column < width; ++column, sums += 4 * samples, means += channels) {
+    for (int c = 0; c < channels; ++c) {
       unsigned sum = kArea / 2;
       for (int x = 0; x < samples; ++x) sum += sums[4 * x + c];
-      rgb[c] = static_cast<std::uint8_t>(sum / kArea);
+      means[c] = static_cast<std::uint8_t>(sum / kArea);
+    }
+  }
+}
+
+// Splits a row of means into colour and alpha, taking the background out of the colour: what was drawn is
+// mean = alpha colour + (1 - alpha) background.
+void uncover(const std::vector<std::uint8_t>& rgba, const ByteColor& background, std::uint8_t* rgb,
+             std::uint8_t* alpha) {
+  for (std::size_t i = 0; i < rgba.size(); i += 4, rgb += 3) {
+    const int cover = rgba[i + 3];
+    *alpha++ = rgba[i + 3];
+    for (int c = 0; c < 3; ++c) {
+      const int drawn = 255 * rgba[i + c] - (255 - cover) * background[c];
+      rgb[c] = static_cast<std::uint8_t>(cover ? std::clamp((drawn + cover / 2) / cover, 0, 255) : 0);
     }
   }
 }
@@ -52,10 +69,18 @@ template <int samples>
 void smooth(const DrawnFrame& frame, Image& image) {
   const std::size_t row_bytes = 4 * static_cast<std::size_t>(frame.width) * samples;
   std::vector<std::uint16_t> sums(row_bytes);
+  std::vector<std::uint8_t> means(frame.transparent_background ? 4 * static_cast<std::size_t>(frame.width) : 0);
   for (int row = 0; row < frame.height; ++row) {
     const auto below = static_cast<std::size_t>(frame.height - 1 - row);
     sum_rows<samples>(frame.rgba.data() + below * samples * row_bytes, row_bytes, sums.data());
-    average_columns<samples>(sums.data(), frame.width, image.rgb.data() + row * image.row_bytes());
+    std::uint8_t* rgb = image.rgb.data() + row * image.row_bytes();
+    if (frame.transparent_background) {
+      average_columns<samples, 4>(sums.data(), frame.width, means.data());
+      uncover(means, *frame.transparent_background, rgb,
+              image.alpha.data() + static_cast<std::size_t>(row) * image.width);
+    } else {
+      average_columns<samples, 3>(sums.data(), frame.width, rgb);
+    }
   }
 }
 
@@ -66,6 +91,7 @@ Image smooth_frame(const DrawnFrame& frame) {
                                                                                smooth<4>};
   Image image{frame.width, frame.height, {}};
   image.rgb.resize(image.row_bytes() * frame.height);
+  if (frame.transparent_background) image.alpha.resize(image.rgb.size() / 3);
   kSmooth[frame.supersampling - 1](frame, image);
   return image;
 }
@@ -86,6 +112,10 @@ DrawnFrame FrameRenderer::draw(const Snapshot& snapshot, DrawnFrame used) {
   used.width = options_.width;
   used.height = options_.height;
   used.supersampling = options_.supersampling;
+  used.transparent_background.reset();
+  if (options_.scene.transparent_background) {
+    used.transparent_background = to_bytes(palette(options_.scene.background).background);
+  }
   const int width = options_.width * options_.supersampling, height = options_.height * options_.supersampling;
   const auto bytes = 4 * static_cast<std::size_t>(width) * height;
   used.rgba.resize(bytes);

@@ -5,6 +5,7 @@
 #include <vtkSmartPointer.h>
 
 #include <memory>
+#include <optional>
 
 #include "render/gl/hosted_render_window.h"
 #include "render/output/image.h"
@@ -24,7 +25,8 @@ struct DrawnFrame {
   int width = 0;   // of the finished picture, pixels
   int height = 0;  // of the finished picture, pixels
   int supersampling = 1;
-  std::vector<std::uint8_t> rgba;
+  std::optional<ByteColor> transparent_background = {};  // what shows through where alpha is below 255
+  std::vector<std::uint8_t> rgba = {};
 };
 
 // The finished picture of a drawn frame.

@@ -1,16 +1,21 @@
 #pragma once
 // PNG pictures. A file appears under its name only when it is whole.
 
+#include <optional>
 #include <string>
 
 #include "render/output/image.h"
 
 namespace netpocket {
 
-// Replaces an existing file. Throws RenderError with one sentence that names the file.
-void write_png(const Image& image, const std::string& path);
+// Replaces an existing file. A comment (Latin-1) is kept in the file. Throws RenderError with one sentence that names
+// the file.
+void write_png(const Image& image, const std::string& path, const std::string& comment = {});
 
-// Reads any PNG as RGB. Throws RenderError with one sentence that names the file.
+// Reads any PNG as RGB, with alpha when it has it. Throws RenderError with one sentence that names the file.
 Image read_png(const std::string& path);
+
+// The comment in a PNG; none when it has none, is no PNG or does not exist.
+std::optional<std::string> png_comment(const std::string& path);
 
 }  // namespace netpocket

@@ -2,35 +2,61 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <exception>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <thread>
 
 #include "render/output/bounded_queue.h"
+#include "render/output/picture_comment.h"
 #include "render/output/png_file.h"
+#include "render/output/side_by_side.h"
 #include "render/output/video_file.h"
 #include "render/render_error.h"
 
 namespace netpocket {
 namespace {
 
+// A picture under way: drawn, one frame for each run, or a file from before.
+struct Picture {
+  std::vector<DrawnFrame> frames;
+  std::string comment;   // says what the picture shows
+  std::string existing;  // path; empty: drawn
+};
+
+Image joined(const std::vector<DrawnFrame>& frames) {
+  if (frames.size() == 1) return smooth_frame(frames.front());
+  std::vector<Image> images;
+  for (const auto& frame : frames) images.push_back(smooth_frame(frame));
+  return side_by_side(images);
+}
+
 // Smooths, compresses and writes frames in order on a thread of its own, while the caller draws the next ones.
 class FrameWriter {
  public:
-  FrameWriter(const RenderOptions& options, std::size_t total) : options_(options), total_(total) {
+  FrameWriter(const RenderOptions& options, std::size_t runs, std::size_t total) : options_(options), total_(total) {
     const auto& frame = options.view.frame;
     if (!options.folder.empty()) make_folder(options.folder);
     if (!options.video.empty()) {
-      video_ = std::make_unique<VideoFile>(options.video, frame.width, frame.height, options.video_rate);
+      const int width = frame.width * static_cast<int>(runs);
+      video_ = std::make_unique<VideoFile>(options.video, width, frame.height, options.video_rate);
     }
     thread_ = std::jthread([this] { run(); });
   }
   ~FrameWriter() { drawn_.close(); }
 
-  // A frame whose memory can be used again.
-  DrawnFrame recycled() { return used_.try_pop().value_or(DrawnFrame{}); }
-  // False when writing has failed: finish() says why.
-  bool write(DrawnFrame frame) { return drawn_.push(std::move(frame)); }
+  // The file of a picture; empty when there is none.
+  std::string path(std::size_t index) const {
+    if (options_.folder.empty()) return {};
+    const int digits = std::max(4, static_cast<int>(fmt::formatted_size("{}", total_ - 1)));
+    return fmt::format("{}/{:0{}}.png", options_.folder, index, digits);
+  }
+  // Frames whose memory can be used again.
+  std::vector<DrawnFrame> recycled() { return used_.try_pop().value_or(std::vector<DrawnFrame>{}); }
+  // The next picture. False when writing has failed: finish() says why.
+  bool write(Picture picture) { return drawn_.push(std::move(picture)); }
 
   // Waits for everything to be written; throws what went wrong.
   void finish(bool keep_video) {
@@ -45,9 +71,9 @@ class FrameWriter {
 
   void run() {
     try {
-      while (auto frame = drawn_.pop()) {
-        write_now(smooth_frame(*frame));
-        used_.push(std::move(*frame));
+      for (std::size_t index = 0; auto picture = drawn_.pop(); ++index) {
+        write_now(*picture, path(index));
+        if (picture->existing.empty()) used_.push(std::move(picture->frames));
       }
     } catch (...) {
       failure_ = std::current_exception();
@@ -56,34 +82,77 @@ class FrameWriter {
     used_.close();
   }
 
-  void write_now(const Image& image) {
-    const int digits = std::max(4, static_cast<int>(fmt::formatted_size("{}", total_ - 1)));
-    if (!options_.folder.empty()) write_png(image, fmt::format("{}/{:0{}}.png", options_.folder, next_++, digits));
+  void write_now(const Picture& picture, const std::string& path) {
+    if (!picture.existing.empty()) {
+      if (video_) video_->write(read_png(picture.existing));
+      return;
+    }
+    const auto image = joined(picture.frames);
+    if (!path.empty()) write_png(image, path, picture.comment);
     if (video_) video_->write(image);
   }
 
   const RenderOptions& options_;
   std::size_t total_;
-  std::size_t next_ = 0;
   std::unique_ptr<VideoFile> video_;
-  BoundedQueue<DrawnFrame> drawn_{kWaitingFrames};
+  BoundedQueue<Picture> drawn_{kWaitingFrames};
   // Never full: no more frames are under way than wait, are being written and are being drawn.
-  BoundedQueue<DrawnFrame> used_{kWaitingFrames + 2};
+  BoundedQueue<std::vector<DrawnFrame>> used_{kWaitingFrames + 2};
   std::exception_ptr failure_;
   std::jthread thread_;
+};
+
+// Draws the pictures' frames; made when the first one is needed, so that there is nothing to wait for when all exist.
+class RunRow {
+ public:
+  RunRow(const std::vector<const Recording*>& recordings, const RunView& view) {
+    const RunView common = common_view(recordings, view);
+    for (const auto* recording : recordings) {
+      RunView own = common;
+      if (recordings.size() > 1) own.frame.scene.title = joint_title(view.frame.scene.title, *recording);
+      renderers_.push_back(std::make_unique<RunRenderer>(*recording, own));
+    }
+  }
+
+  std::vector<DrawnFrame> draw(double time, std::vector<DrawnFrame> used) {
+    used.resize(renderers_.size());
+    for (std::size_t i = 0; i < used.size(); ++i) used[i] = renderers_[i]->draw(time, std::move(used[i]));
+    return used;
+  }
+
+ private:
+  static std::string joint_title(const std::string& title, const Recording& recording) {
+    const auto& name = recording.origin().scenario_name;
+    return title.empty() ? name : fmt::format("{}: {}", title, name);
+  }
+
+  std::vector<std::unique_ptr<RunRenderer>> renderers_;
 };
 
 }  // namespace
 
 RenderOutcome render_frames(const Recording& recording, const std::vector<double>& times, const RenderOptions& options,
                             const RenderProgressCallback& progress, const std::stop_token& stop) {
-  if (times.empty()) throw RenderError("there are no times to draw");
-  RunRenderer renderer(recording, options.view);
-  FrameWriter writer(options, times.size());
+  return render_frames(std::vector{&recording}, times, options, progress, stop);
+}
+
+RenderOutcome render_frames(const std::vector<const Recording*>& recordings, const std::vector<double>& times,
+                            const RenderOptions& options, const RenderProgressCallback& progress,
+                            const std::stop_token& stop) {
+  if (recordings.empty() || times.empty()) throw RenderError("there are no times to draw");
+  std::optional<RunRow> row;
+  FrameWriter writer(options, recordings.size(), times.size());
+  const PictureComment comment(recordings, options.view);
   const ProgressMeter meter(times.size(), progress);
   std::size_t done = 0;
   while (done < times.size() && !stop.stop_requested()) {
-    if (!writer.write(renderer.draw(times[done], writer.recycled()))) break;
+    Picture picture{{}, comment.at(times[done]), {}};
+    if (options.resume && png_comment(writer.path(done)) == picture.comment) picture.existing = writer.path(done);
+    if (picture.existing.empty()) {
+      if (!row) row.emplace(recordings, options.view);
+      picture.frames = row->draw(times[done], writer.recycled());
+    }
+    if (!writer.write(std::move(picture))) break;
     meter.report(++done);
   }
   const bool complete = done == times.size();
@@ -92,10 +161,19 @@ RenderOutcome render_frames(const Recording& recording, const std::vector<double
 }
 
 std::vector<double> frame_times(const Recording& recording, double rate) {
+  return frame_times(std::vector{&recording}, rate);
+}
+
+std::vector<double> frame_times(const std::vector<const Recording*>& recordings, double rate) {
   if (!(rate > 0)) throw RenderError(fmt::format("cannot draw {} frames per second", rate));
   std::vector<double> times;
-  if (recording.frame_count() == 0) return times;
-  const double start = recording.times().front(), end = recording.times().back();
+  double start = std::numeric_limits<double>::infinity(), end = -start;
+  for (const auto* recording : recordings) {
+    if (recording->frame_count() == 0) continue;
+    start = std::min(start, recording->times().front());
+    end = std::max(end, recording->times().back());
+  }
+  if (start > end) return times;
   const auto count = static_cast<std::size_t>((end - start) * rate + 1e-6) + 1;
   for (std::size_t i = 0; i < count; ++i) times.push_back(start + static_cast<double>(i) / rate);
   return times;

@@ -24,7 +24,7 @@ std::string caption(std::size_t index, double time, const std::optional<PhaseTim
 
 RunView SheetOptions::panel_view() {
   RunView view;
-  view.frame.width = 800;
+  view.frame.width = 640;
   view.frame.height = 640;
   view.frame.supersampling = 3;
   view.frame.scene.time_label = false;
@@ -35,20 +35,33 @@ RunView SheetOptions::panel_view() {
 
 void render_sheet(const Recording& recording, const std::vector<double>& times, const std::string& path,
                   const SheetOptions& options, const std::stop_token& stop) {
-  if (times.empty()) throw RenderError("there are no times to draw");
+  render_sheet(std::vector{&recording}, times, path, options, stop);
+}
+
+void render_sheet(const std::vector<const Recording*>& recordings, const std::vector<double>& times,
+                  const std::string& path, const SheetOptions& options, const std::stop_token& stop) {
+  if (recordings.empty() || times.empty()) throw RenderError("there are no times to draw");
   RunView view = options.view;
   // Without a legend nothing stands beside the pocket.
   if (view.frame.scene.color_by == ColorBy::none) view.share = {0.96, 0.92};
-  RunRenderer renderer(recording, view);
-  std::vector<SheetPanel> panels;
-  for (const double time : times) {
-    if (stop.stop_requested()) return;
-    renderer.scene().show_annotations(panels.empty());
-    const double shown = recording.times()[recording.frame_at(time)];
-    auto image = smooth_frame(renderer.draw(time));
-    panels.push_back({std::move(image), caption(panels.size(), shown, renderer.scene_options().phases)});
+  view = common_view(recordings, view);
+  SheetLayout layout = options.layout;
+  if (recordings.size() > 1) layout.columns = static_cast<int>(recordings.size());
+  std::vector<SheetPanel> panels(recordings.size() * times.size());
+  // Run by run, because each has a scene of its own; row by row on the sheet.
+  for (std::size_t run = 0; run < recordings.size(); ++run) {
+    const auto& recording = *recordings[run];
+    if (recordings.size() > 1) layout.headings.push_back(recording.origin().scenario_name);
+    RunRenderer renderer(recording, view);
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      if (stop.stop_requested()) return;
+      const std::size_t panel = i * recordings.size() + run;
+      renderer.scene().show_annotations(panel == 0);
+      const double shown = recording.times()[recording.frame_at(times[i])];
+      panels[panel] = {smooth_frame(renderer.draw(times[i])), caption(panel, shown, renderer.scene_options().phases)};
+    }
   }
-  write_png(make_contact_sheet(panels, options.layout), path);
+  write_png(make_contact_sheet(panels, layout), path);
 }
 
 }  // namespace netpocket

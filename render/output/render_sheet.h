@@ -15,11 +15,16 @@ struct SheetOptions {
   RunView view = panel_view();
   SheetLayout layout;
 
-  static RunView panel_view();  // 800 x 640 pixels
+  static RunView panel_view();  // 640 x 640 pixels
 };
 
 // Writes a PNG with a panel "(a) t = 2.5 s, closing" for each time (s). Errors and thread contract as render_frames.
 void render_sheet(const Recording& recording, const std::vector<double>& times, const std::string& path,
                   const SheetOptions& options = {}, const std::stop_token& stop = {});
+
+// Several runs next to each other: a column for each run with its name, a row for each time; the layout's columns do
+// not matter. Framed and coloured alike. A run that has no frame at a time shows the nearest it has.
+void render_sheet(const std::vector<const Recording*>& recordings, const std::vector<double>& times,
+                  const std::string& path, const SheetOptions& options = {}, const std::stop_token& stop = {});
 
 }  // namespace netpocket

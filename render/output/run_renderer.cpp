@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "engine/scenario/read_scenario.h"
 #include "render/render_error.h"
@@ -14,15 +15,28 @@ namespace {
 // Frames that are looked at before drawing, to choose the range of colours.
 constexpr std::size_t kSampledFrames = 24;
 
-// Mean over the run: a short peak must not take the colours of all other frames.
-double sampled_high_value(const Recording& recording, ColorBy color_by) {
+// Mean over frames of the run where there is something to see: a short peak must not take the colours of all others.
+double sampled_mean(const Recording& recording, const std::function<double(const Snapshot&)>& high_value) {
   const std::size_t count = recording.frame_count(), step = std::max<std::size_t>(1, count / kSampledFrames);
   double sum = 0;
   std::size_t samples = 0;
-  for (std::size_t i = 0; i < count; i += step, ++samples) {
-    sum += high_value(recording.structure(), recording.frame(i), color_by);
+  for (std::size_t i = 0; i < count; i += step) {
+    const double value = high_value(recording.frame(i));
+    sum += value;
+    samples += value > 0;
   }
-  return sum / static_cast<double>(samples);
+  return samples ? sum / static_cast<double>(samples) : 0;
+}
+
+// The largest over some runs.
+double sampled_mean(const std::vector<const Recording*>& recordings,
+                    const std::function<double(const Structure&, const Snapshot&)>& high_value) {
+  double largest = 0;
+  for (const auto* recording : recordings) {
+    const auto value = [&](const Snapshot& snapshot) { return high_value(recording->structure(), snapshot); };
+    largest = std::max(largest, sampled_mean(*recording, value));
+  }
+  return largest;
 }
 
 std::optional<PhaseTimes> recorded_phases(const Recording& recording) {
@@ -30,23 +44,23 @@ std::optional<PhaseTimes> recorded_phases(const Recording& recording) {
   return result.ok() ? std::optional(phase_times(result.scenario)) : std::nullopt;
 }
 
-FrameOptions completed(const Recording& recording, FrameOptions options) {
-  if (recording.frame_count() == 0) throw RenderError(fmt::format("{} has no frame to draw", recording.path()));
-  auto& scene = options.scene;
+RunView completed(const Recording& recording, const RunView& view) {
+  RunView complete = common_view({&recording}, view);
+  auto& scene = complete.frame.scene;
   if (!scene.phases) scene.phases = recorded_phases(recording);
-  if (!scene.color_range && scene.color_by != ColorBy::none) {
-    scene.color_range = ValueRange{0, round_up(sampled_high_value(recording, scene.color_by))};
-  }
-  return options;
+  return complete;
 }
 
 // What is visible at the start and at the end: a view of it serves the whole run.
-Eigen::Matrix3Xd run_points(const Recording& recording) {
-  const auto& structure = recording.structure();
-  const auto first = visible_points(structure, recording.frame(0));
-  const auto last = visible_points(structure, recording.frame(recording.frame_count() - 1));
-  Eigen::Matrix3Xd points(3, first.cols() + last.cols());
-  points << first, last;
+Eigen::Matrix3Xd run_points(const std::vector<const Recording*>& recordings) {
+  Eigen::Matrix3Xd points(3, 0);
+  for (const auto* recording : recordings) {
+    for (const auto frame : {std::size_t{0}, recording->frame_count() - 1}) {
+      const auto more = visible_points(recording->structure(), recording->frame(frame));
+      points.conservativeResize(3, points.cols() + more.cols());
+      points.rightCols(more.cols()) = more;
+    }
+  }
   return points;
 }
 
@@ -58,16 +72,45 @@ Eigen::Vector3d followed_position(const Structure& structure, const Snapshot& sn
 
 }  // namespace
 
+SceneHistory recorded_history(const Recording& recording) {
+  return {recording.frame(0), body_paths(recording.structure(),
+                                         [&](Channel c) -> const std::vector<double>& { return recording.channel(c); })};
+}
+
+RunView common_view(const std::vector<const Recording*>& recordings, RunView view) {
+  for (const auto* recording : recordings) {
+    if (recording->frame_count() == 0) throw RenderError(fmt::format("{} has no frame to draw", recording->path()));
+  }
+  auto& scene = view.frame.scene;
+  if (!scene.color_range && scene.color_by != ColorBy::none) {
+    const auto high = [&](const auto& structure, const auto& snapshot) {
+      return high_value(structure, snapshot, scene.color_by);
+    };
+    scene.color_range = ValueRange{0, round_up(sampled_mean(recordings, high))};
+  }
+  if (scene.contact_arrows && !scene.arrow_force) {
+    const auto high = [](const auto&, const auto& snapshot) { return high_contact_force(snapshot); };
+    scene.arrow_force = round_up(sampled_mean(recordings, high));
+  }
+  if (!view.view && view.camera != CameraPreset::follow) {
+    const double aspect = static_cast<double>(view.frame.width) / view.frame.height;
+    view.view = frame_view(view.camera, run_points(recordings), aspect, view.share);
+  }
+  return view;
+}
+
 RunRenderer::RunRenderer(const Recording& recording, const RunView& view)
     : recording_(recording),
-      options_(completed(recording, view.frame)),
-      renderer_(make_gl_host(view.backend), recording.structure(), options_),
-      follows_(view.camera == CameraPreset::follow && !view.view) {
+      complete_(completed(recording, view)),
+      renderer_(make_gl_host(complete_.backend), recording.structure(), complete_.frame),
+      follows_(!complete_.view) {
   const auto first = recording.frame(0);
   followed_from_ = followed_position(recording.structure(), first);
-  const auto points = follows_ ? visible_points(recording.structure(), first) : run_points(recording);
-  view_ = view.view.value_or(frame_view(view.camera, points, renderer_.aspect(), view.share));
+  view_ = complete_.view.value_or(frame_view(complete_.camera, visible_points(recording.structure(), first),
+                                             renderer_.aspect(), complete_.share));
   renderer_.set_view(view_);
+  const auto& scene = complete_.frame.scene;
+  if (scene.trails || scene.ghost) renderer_.scene().set_history(recorded_history(recording));
 }
 
 DrawnFrame RunRenderer::draw(double time, DrawnFrame used) {

@@ -10,12 +10,19 @@
 namespace netpocket {
 
 struct RunView {
-  FrameOptions frame;  // an absent range of colours or times of phases are taken from the run
+  FrameOptions frame;  // absent ranges of colours and arrows and times of phases are taken from the run
   CameraPreset camera = CameraPreset::iso;
   FramingShare share;
   std::optional<CameraView> view;  // instead of a preset
   GlBackend backend = GlBackend::automatic;
 };
+
+// The view with everything filled in that pictures of these runs must have in common: ranges of colours and arrows and,
+// unless it follows the target, where they are looked at from. Throws RenderError when a recording has no frame.
+RunView common_view(const std::vector<const Recording*>& recordings, RunView view);
+
+// What trails and ghost are drawn from.
+SceneHistory recorded_history(const Recording& recording);
 
 class RunRenderer {
  public:
@@ -26,14 +33,14 @@ class RunRenderer {
   DrawnFrame draw(double time, DrawnFrame used = {});
 
   // The scene's options with what was taken from the run.
-  const SceneOptions& scene_options() const { return options_.scene; }
+  const SceneOptions& scene_options() const { return complete_.frame.scene; }
   PocketScene& scene() { return renderer_.scene(); }
 
  private:
   void aim(const Snapshot& snapshot);
 
   const Recording& recording_;
-  FrameOptions options_;
+  RunView complete_;
   FrameRenderer renderer_;
   CameraView view_;
   bool follows_;

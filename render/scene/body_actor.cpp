@@ -44,6 +44,7 @@ BodyActor::BodyActor(const Structure& structure, std::size_t body, const SceneOp
     : structure_(structure), body_(body), options_(options), lines_(make_lines(line_mesh_)) {
   auto surface = make_surface(surface_mesh_, options.background);
   surface->SetUserTransform(pose_);
+  if (structure.bodies[body].role == BodyRole::target) surface->GetProperty()->SetOpacity(options.target_opacity);
   lines_->SetUserTransform(pose_);
   props_ = {surface, lines_};
 }

@@ -18,6 +18,7 @@ class BodyActor final : public SceneActor {
 
   void update(const Snapshot& snapshot) override;
   void adapt(const View& view) override;
+  std::string name() const override { return structure_.bodies[body_].name; }
 
  private:
   const Structure& structure_;

@@ -11,8 +11,18 @@ namespace {
 ColorMap default_map(Background background) {
   return background == Background::white ? ColorMap::plasma : ColorMap::viridis;
 }
+// Sum of the sizes of the forces of each element's contacts, N.
+std::vector<double> contact_forces(const Structure& structure, const Snapshot& snapshot) {
+  std::vector<double> forces(structure.elements.size());
+  for (const auto& contact : snapshot.contacts) {
+    const auto element = static_cast<std::size_t>(contact.element);
+    if (contact.element >= 0 && element < forces.size()) forces[element] += contact.force.norm();
+  }
+  return forces;
+}
+
 ValueRange visible_part(Background background) {
-  return background == Background::white ? ValueRange{0, 0.82} : ValueRange{0.18, 1};
+  return background == Background::white ? ValueRange{0, 0.82} : ValueRange{0.34, 1};
 }
 
 }  // namespace
@@ -27,7 +37,8 @@ ColorScale::ColorScale(const Structure& structure, const SceneOptions& options)
 
 // Rods are compressed while cords are taut: on one scale neither would show anything.
 bool ColorScale::colors(ElementKind kind) const {
-  return color_by_ == ColorBy::speed || (active() && kind != ElementKind::rod);
+  if (color_by_ == ColorBy::speed || color_by_ == ColorBy::contact) return true;
+  return active() && kind != ElementKind::rod;
 }
 
 double ColorScale::value(const Snapshot& snapshot, std::size_t element, double fraction) const {
@@ -42,6 +53,8 @@ double ColorScale::value(const Snapshot& snapshot, std::size_t element, double f
       return (1 - fraction) * snapshot.velocities.col(nodes[0]).norm() +
              fraction * snapshot.velocities.col(nodes[1]).norm();
     }
+    case ColorBy::contact:
+      return contact_[element];
     case ColorBy::none:
       break;
   }
@@ -58,7 +71,8 @@ Color ColorScale::color_at_fraction(double fraction) const {
   return map_color(map_, map_part_.low + clamped * (map_part_.high - map_part_.low));
 }
 
-void ColorScale::widen(const Snapshot& snapshot) {
+void ColorScale::update(const Snapshot& snapshot) {
+  if (color_by_ == ColorBy::contact) contact_ = contact_forces(structure_, snapshot);
   if (fixed_range_ || !active()) return;
   const double high = high_value(structure_, snapshot, color_by_);
   if (high > range_.high || range_.high == 0) range_.high = round_up(high);
@@ -72,6 +86,8 @@ std::string ColorScale::label() const {
       return "strain, \u00b5m/m";
     case ColorBy::speed:
       return "speed, m/s";
+    case ColorBy::contact:
+      return "contact force, N";
     case ColorBy::none:
       break;
   }
@@ -83,12 +99,15 @@ double ColorScale::display_unit() const { return color_by_ == ColorBy::strain ? 
 double high_value(const Structure& structure, const Snapshot& snapshot, ColorBy color_by) {
   SceneOptions options;
   options.color_by = color_by;
-  const ColorScale scale(structure, options);
+  options.color_range = ValueRange{};
+  ColorScale scale(structure, options);
+  scale.update(snapshot);
   std::vector<double> values;
   for (std::size_t i = 0; i < structure.elements.size(); ++i) {
     if (!scale.colors(structure.elements[i].kind)) continue;
     values.push_back(std::max(scale.value(snapshot, i, 0), scale.value(snapshot, i, 1)));
   }
+  if (color_by == ColorBy::contact) std::erase(values, 0);
   if (values.empty()) return 0;
   const auto place = values.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(values.size() - 1));
   std::ranges::nth_element(values, place);

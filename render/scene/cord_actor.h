@@ -14,6 +14,7 @@
 namespace netpocket {
 
 struct CordStyle {
+  std::string name;
   std::vector<ElementKind> kinds;  // the elements that are drawn
   Color color;                     // unless the scale colours them
   double width = 1;                // pixels of a picture 720 pixels high
@@ -30,6 +31,7 @@ class CordActor final : public SceneActor {
 
   void update(const Snapshot& snapshot) override;
   void adapt(const View& view) override;
+  std::string name() const override { return style_.name; }
 
  private:
   const Structure& structure_;

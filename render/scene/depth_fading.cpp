@@ -15,7 +15,7 @@ void add_depth_fading(vtkActor& actor, const Color& distance_color, double neare
       "  float depth = z / (fade_far_to_near - (fade_far_to_near - 1.0) * z);\n"
       "  gl_FragData[0].rgb = mix(gl_FragData[0].rgb, vec3({:.4f}, {:.4f}, {:.4f}), fade_strength * depth);\n",
       distance_color[0], distance_color[1], distance_color[2]);
-  if (nearer > 0) fade += fmt::format("  gl_FragDepth = gl_FragCoord.z - {:.5f};\n", nearer);
+  if (nearer != 0) fade += fmt::format("  gl_FragDepth = gl_FragCoord.z - {:.5f};\n", nearer);
   actor.GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", false, fade, false);
 }
 

@@ -13,6 +13,7 @@ class JointActor final : public SceneActor {
   JointActor(const Structure& structure, Background background);
 
   void update(const Snapshot& snapshot) override;
+  std::string name() const override { return "joints"; }
 
  private:
   const Structure& structure_;

@@ -7,7 +7,8 @@
 #include <vtkTextProperty.h>
 
 #include <cmath>
-#include <filesystem>
+
+#include "render/fonts/font_file.h"
 
 namespace netpocket {
 
@@ -56,13 +57,9 @@ void OverlayShapes::add_triangle(const Eigen::Vector2d& a, const Eigen::Vector2d
 
 namespace {
 
-// DejaVu Sans, as in the figures; where it is not installed, the font built into VTK.
 void use_scene_font(vtkTextProperty& property, bool bold) {
-  const char* file =
-      bold ? "/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf" : "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
-  if (!std::filesystem::exists(file)) return property.SetBold(bold);
   property.SetFontFamily(VTK_FONT_FILE);
-  property.SetFontFile(file);
+  property.SetFontFile(font_file(bold).c_str());
 }
 
 }  // namespace

@@ -15,6 +15,9 @@ constexpr Palette kWhite = {
     .target = {0.87, 0.85, 0.80},
     .target_panels = {0.80, 0.78, 0.73},
     .target_seams = {0.62, 0.60, 0.55},
+    .contact = {0.72, 0.10, 0.24},
+    .target_trail = {0.64, 0.20, 0.52},
+    .spacecraft_trail = {0.00, 0.50, 0.37},
 };
 
 constexpr Palette kSpace = {
@@ -29,6 +32,9 @@ constexpr Palette kSpace = {
     .target = {0.58, 0.56, 0.52},
     .target_panels = {0.51, 0.49, 0.46},
     .target_seams = {0.36, 0.35, 0.33},
+    .contact = {1.00, 0.36, 0.42},
+    .target_trail = {0.93, 0.56, 0.80},
+    .spacecraft_trail = {0.25, 0.85, 0.65},
 };
 
 }  // namespace

@@ -18,6 +18,9 @@ struct Palette {
   Color target;
   Color target_panels;  // every second panel of the target
   Color target_seams;
+  Color contact;  // forces
+  Color target_trail;
+  Color spacecraft_trail;
 };
 
 const Palette& palette(Background background);

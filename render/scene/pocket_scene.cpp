@@ -17,7 +17,8 @@ namespace {
 
 CordStyle net_style(const SceneOptions& options) {
   const auto& colors = palette(options.background);
-  return {.kinds = {ElementKind::net, ElementKind::cable},
+  return {.name = "net",
+          .kinds = {ElementKind::net, ElementKind::cable},
           .color = colors.net,
           .width = 1.2 * options.line_scale,
           .smallest_width = 0.9,
@@ -28,7 +29,8 @@ CordStyle net_style(const SceneOptions& options) {
 
 CordStyle closing_rope_style(const SceneOptions& options) {
   const auto& colors = palette(options.background);
-  return {.kinds = {ElementKind::closing_rope},
+  return {.name = "closing ropes",
+          .kinds = {ElementKind::closing_rope},
           .color = colors.closing_ropes,
           .width = 3.0 * options.line_scale,
           .smallest_width = 2.0,
@@ -44,11 +46,13 @@ PocketScene::PocketScene(const Structure& structure, const SceneOptions& options
     : structure_(structure),
       options_(options),
       scale_(structure_, options_),
+      arrow_scale_(options_),
       renderer_(renderer ? renderer : vtkSmartPointer<vtkRenderer>::New()) {
   const auto& colors = palette(options_.background);
   renderer_->SetBackground(colors.background.data());
   renderer_->SetBackground2(colors.background_top.data());
-  renderer_->SetGradientBackground(colors.background != colors.background_top);
+  renderer_->SetGradientBackground(colors.background != colors.background_top && !options_.transparent_background);
+  renderer_->SetBackgroundAlpha(options_.transparent_background ? 0 : 1);
   renderer_->SetUseFXAA(options_.fast_smoothing);
   add_actors();
   add_annotations();
@@ -73,6 +77,17 @@ void PocketScene::add_actors() {
   actors_.push_back(std::make_unique<JointActor>(structure_, options_.background));
   actors_.push_back(std::make_unique<CordActor>(structure_, scale_, net_style(options_)));
   actors_.push_back(std::make_unique<CordActor>(structure_, scale_, closing_rope_style(options_)));
+  if (options_.contact_arrows) actors_.push_back(std::make_unique<ContactArrows>(arrow_scale_, options_));
+  if (options_.ghost) {
+    auto ghost = std::make_unique<GhostActor>(structure_, options_);
+    ghost_ = ghost.get();
+    actors_.push_back(std::move(ghost));
+  }
+  if (options_.trails) {
+    auto trails = std::make_unique<TrailActor>(structure_, options_);
+    trails_ = trails.get();
+    actors_.push_back(std::move(trails));
+  }
 }
 
 void PocketScene::add_annotations() {
@@ -80,19 +95,36 @@ void PocketScene::add_annotations() {
   first_annotation_ = actors_.size();
   actors_.push_back(std::make_unique<TimeLabel>(options_, colors.text));
   if (options_.scale_bar) actors_.push_back(std::make_unique<ScaleBar>(options_, colors.text));
+  if (options_.contact_arrows) actors_.push_back(std::make_unique<ArrowLegend>(arrow_scale_, options_));
   if (options_.axes) actors_.push_back(std::make_unique<AxesTriad>(options_, colors.text));
   if (options_.legend && scale_.active()) actors_.push_back(std::make_unique<Legend>(scale_, options_, colors.text));
 }
 
 void PocketScene::update(const Snapshot& snapshot) {
-  scale_.widen(snapshot);
+  scale_.update(snapshot);
   for (const auto& actor : actors_) actor->update(snapshot);
+}
+
+void PocketScene::set_history(const SceneHistory& history) {
+  if (ghost_) ghost_->set_history(history);
+  if (trails_) trails_->set_history(history);
 }
 
 void PocketScene::show_annotations(bool visible) {
   for (auto i = first_annotation_; i < actors_.size(); ++i) {
     for (const auto& prop : actors_[i]->props()) prop->SetVisibility(visible);
   }
+}
+
+std::vector<SceneObject> PocketScene::objects() const {
+  std::vector<SceneObject> objects;
+  for (std::size_t i = 0; i < first_annotation_; ++i) {
+    for (const auto& prop : actors_[i]->props()) {
+      auto* actor = vtkActor::SafeDownCast(prop);
+      if (actor && actor->GetVisibility()) objects.push_back({actors_[i]->name(), actor});
+    }
+  }
+  return objects;
 }
 
 void PocketScene::prepare_drawing() {

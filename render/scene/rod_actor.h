@@ -17,6 +17,7 @@ class RodActor final : public SceneActor {
   RodActor(const Structure& structure, const ColorScale& scale, const SceneOptions& options);
 
   void update(const Snapshot& snapshot) override;
+  std::string name() const override { return "rods"; }
 
  private:
   void add_tube(vtkIdType first_ring, vtkIdType ring_count, class vtkCellArray& quads);

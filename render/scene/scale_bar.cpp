@@ -8,13 +8,6 @@
 namespace netpocket {
 namespace {
 
-// World length of one pixel at the focal point, m.
-double pixel_length(const View& view) {
-  if (view.camera->GetParallelProjection()) return 2 * view.camera->GetParallelScale() / view.height;
-  const double half_angle = view.camera->GetViewAngle() / 2 * std::numbers::pi / 180;
-  return 2 * view.camera->GetDistance() * std::tan(half_angle) / view.height;
-}
-
 // The largest 1, 2 or 5 times a power of ten that is not longer.
 double round_down(double length) {
   const double decade = std::pow(10, std::floor(std::log10(length)));
@@ -25,6 +18,12 @@ double round_down(double length) {
 }
 
 }  // namespace
+
+double pixel_length(const View& view) {
+  if (view.camera->GetParallelProjection()) return 2 * view.camera->GetParallelScale() / view.height;
+  const double half_angle = view.camera->GetViewAngle() / 2 * std::numbers::pi / 180;
+  return 2 * view.camera->GetDistance() * std::tan(half_angle) / view.height;
+}
 
 ScaleBar::ScaleBar(const SceneOptions& options, const Color& color)
     : annotation_scale_(options.annotation_scale), color_(color), label_(color, Align::center) {

@@ -7,6 +7,9 @@
 
 namespace netpocket {
 
+// World length of one pixel at the focal point, m.
+double pixel_length(const View& view);
+
 class ScaleBar final : public SceneActor {
  public:
   ScaleBar(const SceneOptions& options, const Color& color);

@@ -5,6 +5,7 @@
 #include <vtkProp.h>
 #include <vtkSmartPointer.h>
 
+#include <string>
 #include <vector>
 
 #include "engine/recording/snapshot.h"
@@ -28,6 +29,9 @@ class SceneActor {
   virtual void update(const Snapshot&) {}
   // Called before each drawing, for what depends on the resolution or the camera.
   virtual void adapt(const View&) {}
+
+  // What it shows, e.g. "net"; empty for annotations.
+  virtual std::string name() const { return {}; }
 
   const std::vector<vtkSmartPointer<vtkProp>>& props() const { return props_; }
 

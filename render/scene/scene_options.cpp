@@ -11,7 +11,8 @@ ColorBy color_by_from_name(std::string_view name) {
   if (name == "tension") return ColorBy::tension;
   if (name == "strain") return ColorBy::strain;
   if (name == "speed") return ColorBy::speed;
-  throw RenderError(fmt::format("cannot colour by '{}': use none, tension, strain or speed", name));
+  if (name == "contact") return ColorBy::contact;
+  throw RenderError(fmt::format("cannot colour by '{}': use none, tension, strain, speed or contact", name));
 }
 
 Background background_from_name(std::string_view name) {

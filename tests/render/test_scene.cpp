@@ -75,18 +75,18 @@ TEST(ColorScale, GrowsUnlessFixed) {
   SceneOptions options;
   options.color_by = ColorBy::tension;
   ColorScale scale(structure, options);
-  scale.widen(snapshot);
+  scale.update(snapshot);
   EXPECT_DOUBLE_EQ(scale.range().high, 50);  // tensions reach 40 N
   snapshot.tension *= 10;
-  scale.widen(snapshot);
+  scale.update(snapshot);
   EXPECT_DOUBLE_EQ(scale.range().high, 500);
   snapshot.tension /= 10;
-  scale.widen(snapshot);
+  scale.update(snapshot);
   EXPECT_DOUBLE_EQ(scale.range().high, 500);
 
   options.color_range = ValueRange{0, 12};
   ColorScale fixed(structure, options);
-  fixed.widen(snapshot);
+  fixed.update(snapshot);
   EXPECT_DOUBLE_EQ(fixed.range().high, 12);
 }
 

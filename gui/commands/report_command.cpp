@@ -1,0 +1,64 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "gui/commands/command.h"
+#include "gui/commands/interrupt.h"
+#include "gui/commands/options.h"
+#include "gui/commands/progress_line.h"
+#include "gui/commands/recordings.h"
+#include "render/report/write_report.h"
+
+namespace netpocket {
+namespace {
+
+constexpr const char* kHelp = R"(One HTML file that opens without a network: results, the capture as a sheet and a video, the paper's findings and
+figures, and the scenarios. Several recordings stand next to each other.
+
+Examples:
+  netpocket report case1.h5 -o case1.html
+  netpocket report case1.h5 case2.h5 case3.h5 -o cases.html
+
+)";
+
+struct ReportChoice {
+  std::vector<std::string> recordings;
+  std::string output;
+  std::string backend = "auto";
+  bool no_video = false;
+  double rate = ReportOptions{}.video_rate;
+  bool quiet = false;
+};
+
+ExitCode report(const ReportChoice& choice) {
+  const std::vector<Recording> recordings = open_recordings(choice.recordings);
+  require_writable(choice.output);
+  const Interrupt interrupt;
+  ProgressLine line(!choice.quiet);
+  const auto show = [&](const RenderProgress& p) {
+    line.update(static_cast<double>(p.done) / static_cast<double>(p.total),
+                fmt::format("picture {} of {}, {} left", p.done, p.total, duration_text(p.seconds_left)));
+  };
+  const ReportOptions options{gl_backend_from_name(choice.backend), !choice.no_video, choice.rate};
+  const auto outcome = write_report(pointers(recordings), choice.output, options, show, interrupt.token());
+  return outcome == RenderOutcome::finished ? ExitCode::ok : ExitCode::interrupted;
+}
+
+}  // namespace
+
+Action declare_report(CLI::App& app) {
+  const auto choice = std::make_shared<ReportChoice>();
+  app.add_option("RUN.h5", choice->recordings, "recordings to report on")->required()->type_name("FILE");
+  app.add_option("-o,--output", choice->output, "page to write")->required()->type_name("FILE.html");
+  app.add_option("--fps", choice->rate, "pictures of the video per simulated second")
+      ->type_name("N")
+      ->check(positive_number())
+      ->capture_default_str();
+  app.add_flag("--no-video", choice->no_video, "leave the video out; then ffmpeg is not needed");
+  add_choice(app, "--backend", choice->backend, "OpenGL without a display", {"auto", "osmesa", "egl"});
+  app.add_flag("--quiet", choice->quiet, "no progress");
+  app.footer(kHelp + exit_code_help({ExitCode::bad_input, ExitCode::io, ExitCode::rendering, ExitCode::interrupted}));
+  return [choice](const std::string&) { return report(*choice); };
+}
+
+}  // namespace netpocket

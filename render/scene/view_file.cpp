@@ -1,0 +1,101 @@
+#include "render/scene/view_file.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <toml++/toml.h>
+
+#include "render/render_error.h"
+
+namespace netpocket {
+namespace {
+
+constexpr const char* kKeys = "position, focal_point, view_up, view_angle or half_height";
+
+class ViewReader {
+ public:
+  ViewReader(const toml::table& table, std::string name) : table_(table), name_(std::move(name)) {
+    for (const auto& [key, node] : table) {
+      const std::string_view text = key.str();
+      const bool known = text == "position" || text == "focal_point" || text == "view_up" || text == "view_angle" ||
+                         text == "half_height";
+      if (!known) fail(node, fmt::format("unknown key '{}': use {}", text, kKeys));
+    }
+  }
+
+  bool has(std::string_view key) const { return table_.get(key) != nullptr; }
+
+  Eigen::Vector3d vector(std::string_view key) const {
+    const auto* node = table_.get(key);
+    if (!node) throw RenderError(fmt::format("{}: '{}' is missing", name_, key));
+    const auto* array = node->as_array();
+    Eigen::Vector3d vector;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto value = array && array->size() == 3 ? array->get(i)->value<double>() : std::nullopt;
+      if (!value || !std::isfinite(*value)) fail(*node, fmt::format("'{}' must be three numbers", key));
+      vector[static_cast<Eigen::Index>(i)] = *value;
+    }
+    return vector;
+  }
+
+  // Between the limits, both excluded.
+  double number(std::string_view key, double low, double high) const {
+    const auto& node = *table_.get(key);
+    const auto value = node.value<double>();
+    if (!value || !(*value > low && *value < high)) {
+      fail(node, fmt::format("'{}' must be a number between {:g} and {:g}", key, low, high));
+    }
+    return *value;
+  }
+
+  [[noreturn]] void fail(const toml::node& node, const std::string& message) const {
+    throw RenderError(fmt::format("{}, line {}: {}", name_, node.source().begin.line, message));
+  }
+
+  [[noreturn]] void fail(const std::string& message) const { throw RenderError(fmt::format("{}: {}", name_, message)); }
+
+ private:
+  const toml::table& table_;
+  std::string name_;
+};
+
+}  // namespace
+
+CameraView read_view_text(std::string_view text, const std::string& name) try {
+  const toml::table table = toml::parse(text, name);
+  const ViewReader reader(table, name);
+  CameraView view;
+  view.position = reader.vector("position");
+  view.focal_point = reader.vector("focal_point");
+  if (reader.has("view_up")) view.view_up = reader.vector("view_up");
+  if (reader.has("view_angle")) view.view_angle = reader.number("view_angle", 0, 170);
+  if (reader.has("half_height")) view.half_height = reader.number("half_height", 0, 1e6);
+  const Eigen::Vector3d forward = view.focal_point - view.position;
+  if (forward.norm() < 1e-6) reader.fail("position and focal_point must differ");
+  if (forward.cross(view.view_up).norm() < 1e-6 * forward.norm() * view.view_up.norm() || view.view_up.isZero()) {
+    reader.fail("view_up must not point along the line of sight");
+  }
+  return view;
+} catch (const toml::parse_error& error) {
+  throw RenderError(fmt::format("{}, line {}: {}", name, error.source().begin.line, error.description()));
+}
+
+CameraView read_view_file(const std::string& path) {
+  std::ifstream file(path);
+  std::stringstream text;
+  text << file.rdbuf();
+  if (!file) throw RenderError(fmt::format("cannot read the view \"{}\"", path));
+  return read_view_text(text.str(), path);
+}
+
+std::string view_text(const CameraView& view) {
+  const auto vector = [](const Eigen::Vector3d& v) { return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", v.x(), v.y(), v.z()); };
+  std::string text = fmt::format("position = {}  # m, world\nfocal_point = {}  # m, world\nview_up = {}\n",
+                                 vector(view.position), vector(view.focal_point), vector(view.view_up));
+  if (view.half_height > 0) return text + fmt::format("half_height = {:.6g}  # m, parallel projection\n", view.half_height);
+  return text + fmt::format("view_angle = {:.6g}  # degrees, vertical\n", view.view_angle);
+}
+
+}  // namespace netpocket

@@ -1,0 +1,131 @@
+#include "tests/pictures/made_up_recordings.h"
+
+#include <cmath>
+#include <limits>
+
+#include "engine/recording/recorder.h"
+#include "engine/scenario/scenario.h"
+#include "engine/scenario/write_scenario.h"
+#include "tests/render/figures/synthetic_run.h"
+#include "tests/render/synthetic_pocket.h"
+
+namespace netpocket::pictures {
+namespace {
+
+constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
+constexpr int kFrames = 11;
+constexpr double kTargetRadius = 4.5;
+
+RunOrigin made_up_origin(const std::string& name) {
+  Scenario scenario;
+  scenario.name = name;
+  scenario.closing.start = 0;
+  scenario.closing.duration = 7.5;
+  scenario.towing.mode = TowingMode::acceleration;
+  scenario.towing.start = 9;
+  RunOrigin origin;
+  origin.scenario_name = name;
+  origin.scenario_text = write_scenario_text(scenario);
+  origin.netpocket_version = "0";
+  origin.commit = "made up";
+  origin.closing_end = 7.5;
+  origin.towing_start = 9;
+  return origin;
+}
+
+// Nodes on the sphere's upper half push it inwards, the more the closer they would be to it while closing.
+void add_contacts(const Structure& structure, Snapshot& snapshot, double closed) {
+  const auto& target = snapshot.bodies[1];
+  for (std::size_t i = 0; i < structure.elements.size(); i += 3) {
+    const auto& element = structure.elements[i];
+    if (element.kind != ElementKind::net) continue;
+    const Eigen::Vector3d arm = snapshot.positions.col(element.node[0]) - target.position;
+    const double gap = arm.norm() - kTargetRadius, reach = 2.2 * closed;
+    if (gap > reach || arm.y() < 0) continue;
+    ContactPoint contact;
+    contact.position = target.position + kTargetRadius * arm.normalized();
+    contact.force = -8 * (reach - gap) * arm.normalized();
+    contact.element = static_cast<std::int32_t>(i);
+    contact.body = 1;
+    snapshot.contacts.push_back(contact);
+  }
+}
+
+Snapshot pocket_frame(const Structure& structure, int frame) {
+  const double time = frame, closed = std::min(time / 7.5, 1.0);
+  auto snapshot = synthetic::make_snapshot(structure, time, closed);
+  auto& target = snapshot.bodies[1];
+  target.position += Eigen::Vector3d(0.06 * time, -0.012 * time * time, -0.03 * time);
+  snapshot.bodies[0].position += Eigen::Vector3d(0, -0.01 * time, 0);
+  add_contacts(structure, snapshot, closed);
+  const Channel target_channels[] = {Channel::target_x, Channel::target_y, Channel::target_z};
+  const Channel spacecraft_channels[] = {Channel::spacecraft_x, Channel::spacecraft_y, Channel::spacecraft_z};
+  snapshot.channel(Channel::time) = time;
+  for (int axis = 0; axis < 3; ++axis) {
+    snapshot.channel(target_channels[axis]) = target.position[axis];
+    snapshot.channel(spacecraft_channels[axis]) = snapshot.bodies[0].position[axis];
+  }
+  return snapshot;
+}
+
+void finish(Recorder& recorder, double end) { recorder.finish({RunReason::finished, end, ""}, {}); }
+
+// Frames without a pocket.
+template <typename Fill>
+void write_channels(const std::string& path, const RunOrigin& origin, std::size_t frames, Fill&& fill) {
+  const Structure nothing;
+  Recorder recorder(path, origin, nothing, true);
+  Snapshot snapshot;
+  snapshot.positions.resize(3, 0);
+  snapshot.velocities.resize(3, 0);
+  snapshot.gradients.resize(3, 0);
+  for (std::size_t i = 0; i < frames; ++i) {
+    fill(snapshot, i);
+    recorder.write(snapshot);
+  }
+  finish(recorder, snapshot.time);
+}
+
+}  // namespace
+
+void write_pocket_recording(const std::string& path, const std::string& name, const Shape& target) {
+  const auto structure = synthetic::make_structure(target);
+  Recorder recorder(path, made_up_origin(name), structure, true);
+  for (int frame = 0; frame < kFrames; ++frame) recorder.write(pocket_frame(structure, frame));
+  finish(recorder, kFrames - 1);
+}
+
+void write_broken_recording(const std::string& path) {
+  const auto structure = synthetic::make_structure();
+  Recorder recorder(path, made_up_origin("broken"), structure, true);
+  auto snapshot = pocket_frame(structure, 5);
+  for (Eigen::Index node = 0; node < snapshot.positions.cols(); node += 7) snapshot.positions.col(node).setConstant(kNowhere);
+  for (Eigen::Index i = 0; i < snapshot.tension.size(); i += 5) snapshot.tension[i] = kNowhere;
+  snapshot.bodies[1].position.setConstant(kNowhere);
+  recorder.write(snapshot);
+  finish(recorder, 5);
+}
+
+void write_series_recording(const std::string& path, const std::string& name, double closing_time) {
+  const auto series = synthetic_run(name, closing_time);
+  auto origin = made_up_origin(name);
+  origin.closing_end = closing_time;
+  origin.towing_start = series.towing_start;
+  write_channels(path, origin, series.times().size(), [&](Snapshot& snapshot, std::size_t i) {
+    snapshot.time = series.times()[i];
+    for (std::size_t c = 0; c < kChannelCount; ++c) {
+      const auto& values = series.channels[c];
+      snapshot.channels[c] = i < values.size() ? values[i] : 0;
+    }
+  });
+}
+
+void write_empty_series_recording(const std::string& path) {
+  write_channels(path, made_up_origin("nothing"), 20, [](Snapshot& snapshot, std::size_t i) {
+    snapshot.time = 0.1 * static_cast<double>(i);
+    snapshot.channels.fill(kNowhere);
+    snapshot.channel(Channel::time) = snapshot.time;
+  });
+}
+
+}  // namespace netpocket::pictures

@@ -1,0 +1,25 @@
+#pragma once
+// Recordings that never change, whatever the engine computes: the made-up pocket closing on a target, and runs made from
+// formulas for the figures.
+
+#include <string>
+
+#include "engine/bodies/shape.h"
+
+namespace netpocket::pictures {
+
+// Eleven frames from 0 to 10 s: the pocket closes, contacts push a target that drifts and turns. Scenario "made_up",
+// closing until 7.5 s, towing from 9 s.
+void write_pocket_recording(const std::string& path, const std::string& name = "made_up",
+                            const Shape& target = Sphere{4.5});
+
+// As the pocket recording's middle, but every seventh node, some tensions and the target are nowhere (NaN).
+void write_broken_recording(const std::string& path);
+
+// Channels only, for figures: closing in `closing_time` s.
+void write_series_recording(const std::string& path, const std::string& name, double closing_time);
+
+// A run of which every channel but the time is NaN.
+void write_empty_series_recording(const std::string& path);
+
+}  // namespace netpocket::pictures

@@ -1,0 +1,302 @@
+// What `netpocket render` and `netpocket report` write besides pictures that are compared.
+
+#include <gtest/gtest.h>
+#include <vtkActor.h>
+#include <vtkActorCollection.h>
+#include <vtkGLTFImporter.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <regex>
+#include <sstream>
+
+#include "render/gl/hosted_render_window.h"
+#include "render/output/png_file.h"
+#include "tests/gui/program.h"
+#include "tests/pictures/made_up_recordings.h"
+#include "tests/pictures/picture_comparison.h"
+
+namespace netpocket::pictures {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string content(const std::string& path) {
+  std::stringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+class Rendering : public testing::Test {
+ protected:
+  Rendering() { write_pocket_recording(run_); }
+
+  // Runs the program with OSMesa and small pictures; its standard error when the exit status is as expected.
+  std::string render(std::vector<std::string> options, int exit_code = 0) const {
+    std::vector<std::string> arguments = {"render", run_, "--quiet"};
+    if (std::ranges::find(options, "--backend") == options.end()) {
+      arguments.insert(arguments.end(), {"--backend", "osmesa"});
+    }
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const auto result = run_program(arguments);
+    EXPECT_EQ(result.exit_code, exit_code) << result.error;
+    return result.error;
+  }
+
+  TestFolder folder_;
+  std::string run_ = folder_.file("run.h5");
+};
+
+// Sets a variable of the environment while it lives.
+class Variable {
+ public:
+  Variable(const char* name, const std::string& value) : name_(name) {
+    if (const char* old = std::getenv(name)) old_ = old;
+    setenv(name, value.c_str(), 1);
+  }
+  ~Variable() { old_ ? setenv(name_, old_->c_str(), 1) : unsetenv(name_); }
+  Variable(const Variable&) = delete;
+  Variable& operator=(const Variable&) = delete;
+
+ private:
+  const char* name_;
+  std::optional<std::string> old_;
+};
+
+void expect_one_sentence(const std::string& error, const std::string& part) {
+  EXPECT_EQ(std::ranges::count(error, '\n'), 1) << error;
+  EXPECT_NE(error.find(part), std::string::npos) << error;
+}
+
+TEST_F(Rendering, BothBackEndsDrawTheSame) {
+  for (const char* name : {"osmesa", "egl"}) {
+    render({"-o", folder_.file(name), "--times", "6", "--size", "480x320", "--backend", name, "--arrows", "--color-by",
+            "tension"});
+  }
+  const auto difference =
+      compare_pictures(read_png(folder_.file("osmesa/0000.png")), read_png(folder_.file("egl/0000.png")));
+  EXPECT_TRUE(equal_enough(difference)) << difference.beyond << " " << difference.rmse;
+}
+
+TEST_F(Rendering, TransparentPicturesAreTheOpaqueOnesOnWhite) {
+  render({"-o", folder_.file("opaque"), "--times", "6", "--size", "480x320"});
+  render({"-o", folder_.file("clear"), "--times", "6", "--size", "480x320", "--transparent"});
+  const auto clear = read_png(folder_.file("clear/0000.png"));
+  ASSERT_EQ(clear.alpha.size(), 480u * 320);
+  EXPECT_EQ(clear.alpha.front(), 0);
+  const auto solid = std::ranges::count(clear.alpha, 255);
+  EXPECT_GT(solid, 10000);
+  // On white (what the comparison assumes) it is the same picture.
+  auto opaque = read_png(folder_.file("opaque/0000.png"));
+  opaque.alpha.assign(clear.alpha.size(), 255);
+  const auto difference = compare_pictures(clear, opaque);
+  EXPECT_EQ(difference.beyond, 0);
+  EXPECT_LT(difference.rmse, 2e-3);  // rounding of colours and alpha to bytes
+}
+
+TEST_F(Rendering, ResumeDrawsWhatIsMissingOrDifferent) {
+  const auto out = folder_.file("out");
+  const std::vector<std::string> first = {"-o", out, "--every", "5", "--size", "160x120"};
+  render(first);
+  const auto again = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), first.begin(), first.end() - 2);
+    options.emplace_back("--resume");
+    render(options);
+  };
+  const auto whole = content(out + "/0001.png");
+  const auto long_ago = std::chrono::floor<std::chrono::hours>(fs::file_time_type::clock::now()) - std::chrono::hours(24);
+  const auto mark = [&](const char* name) { fs::last_write_time(out + name, long_ago); };
+  const auto kept = [&](const char* name) { return fs::last_write_time(out + name) == long_ago; };
+  mark("/0000.png");
+  mark("/0002.png");
+  fs::remove(out + "/0001.png");
+  again({"--size", "160x120"});
+  EXPECT_TRUE(kept("/0000.png"));
+  EXPECT_EQ(content(out + "/0001.png"), whole);
+  EXPECT_TRUE(kept("/0002.png"));
+  // A torn file and another look are drawn again.
+  fs::resize_file(out + "/0000.png", 40);
+  again({"--size", "160x120"});
+  EXPECT_FALSE(kept("/0000.png"));
+  EXPECT_TRUE(kept("/0002.png"));
+  again({"--size", "176x120"});
+  EXPECT_FALSE(kept("/0002.png"));
+  EXPECT_EQ(read_png(out + "/0002.png").width, 176);
+}
+
+TEST_F(Rendering, ResumedVideoHasAllFrames) {
+  const auto video = folder_.file("video.mp4");
+  render({"-o", folder_.file("out"), "--fps", "1", "--size", "160x120"});
+  fs::remove(folder_.file("out/0003.png"));
+  render({"-o", folder_.file("out"), "--fps", "1", "--size", "160x120", "--video", video, "--resume"});
+  EXPECT_GT(fs::file_size(video), 1000u);
+  EXPECT_TRUE(fs::exists(folder_.file("out/0003.png")));
+}
+
+TEST_F(Rendering, EveryTakesRecordedFrames) {
+  render({"-o", folder_.file("out"), "--every", "4", "--size", "64x64"});
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_.file("out")), {}), 3);  // 0, 4 and 8 s
+}
+
+TEST_F(Rendering, SavedViewDrawsTheSamePicture) {
+  const auto view = folder_.file("view.toml");
+  render({"-o", folder_.file("preset"), "--times", "6", "--size", "320x240", "--camera", "mouth", "--save-view", view});
+  render({"-o", folder_.file("file"), "--times", "6", "--size", "320x240", "--view", view});
+  EXPECT_TRUE(equal_enough(
+      compare_pictures(read_png(folder_.file("preset/0000.png")), read_png(folder_.file("file/0000.png")))));
+}
+
+TEST_F(Rendering, BadViewsAreOneSentence) {
+  const auto bad = [&](const std::string& text, const std::string& part) {
+    const auto view = folder_.write("bad.toml", text);
+    expect_one_sentence(render({"-o", folder_.file("out"), "--times", "6", "--view", view}, 3), part);
+  };
+  bad("position = [1, 2]\nfocal_point = [0, 0, 0]\n", "line 1: 'position' must be three numbers");
+  bad("position = [1, 2, 3]\n", "'focal_point' is missing");
+  bad("position = [1, 2, 3]\nfocal_point = [1, 2, 3]\n", "must differ");
+  bad("position = [0, 9, 0]\nfocal_point = [0, 0, 0]\n", "view_up");
+  bad("position = [1, 2, 3]\nfocal_point = [0, 0, 0]\nzoom = 2\n", "line 3: unknown key 'zoom'");
+  bad("position = [1, 2, 3]\nfocal_point = [0, 0, 0]\nview_angle = 180\n", "between 0 and 170");
+  bad("position = \n", "line 1");
+  expect_one_sentence(render({"-o", folder_.file("out"), "--view", folder_.file("none.toml")}, 3), "cannot read the view");
+}
+
+// Each thing whose absence the program must explain; the last resort of the loader is a file that is no library.
+TEST_F(Rendering, MissingLibrariesProgramsAndFontsAreOneSentence) {
+  const std::vector<std::string> picture = {"-o", folder_.file("out"), "--times", "6", "--size", "64x64", "--backend"};
+  const auto with = [&](const char* backend) {
+    auto options = picture;
+    options.emplace_back(backend);
+    return options;
+  };
+  folder_.write("libOSMesa.so.8", "no library");
+  {
+    const Variable path("LD_LIBRARY_PATH", fs::path(run_).parent_path());
+    expect_one_sentence(render(with("osmesa"), 6), "cannot draw with osmesa: ");
+  }
+  {
+    const Variable drivers("__EGL_VENDOR_LIBRARY_FILENAMES", "/nowhere/driver.json");
+    expect_one_sentence(render(with("egl"), 6), "cannot draw with egl: ");
+  }
+  {
+    const Variable path("PATH", "/nowhere");
+    expect_one_sentence(render({"--video", folder_.file("video.mp4"), "--fps", "1", "--size", "64x64"}, 6),
+                        "the program ffmpeg is not installed");
+  }
+  folder_.write("fonts.conf", "<?xml version=\"1.0\"?><fontconfig></fontconfig>");
+  const Variable fonts("FONTCONFIG_FILE", folder_.file("fonts.conf"));
+  expect_one_sentence(render(with("osmesa"), 6), "the font DejaVu Sans is not installed");
+  const auto plot = run_program({"plot", run_, "-o", folder_.file("figures")});
+  EXPECT_EQ(plot.exit_code, 6);
+  expect_one_sentence(plot.error, "the font DejaVu Sans is not installed");
+}
+
+TEST_F(Rendering, ContradictingOptionsAreRefused) {
+  expect_one_sentence(render({"--times", "6"}, 2), "nothing to write");
+  expect_one_sentence(render({"--video", folder_.file("v.mp4"), "--transparent"}, 2), "--transparent");
+  expect_one_sentence(render({"--video", folder_.file("v.mp4"), "--resume"}, 2), "--resume");
+  expect_one_sentence(render({"--gltf", folder_.file("m.glb")}, 2), "--gltf");
+}
+
+TEST_F(Rendering, GltfCanBeImportedAgain) {
+  const auto file = folder_.file("moment.glb");
+  render({"--gltf", file, "--times", "6", "--arrows", "--ghost", "--trails", "--target-opacity", "0.4", "--color-by",
+          "tension"});
+  // The container (specification, chapter 4).
+  const auto bytes = content(file);
+  ASSERT_GT(bytes.size(), 100000u);
+  EXPECT_EQ(bytes.substr(0, 4), "glTF");
+  std::uint32_t length = 0, json_length = 0;
+  std::memcpy(&length, bytes.data() + 8, 4);
+  std::memcpy(&json_length, bytes.data() + 12, 4);
+  EXPECT_EQ(length, bytes.size());
+  const auto json = nlohmann::json::parse(bytes.substr(20, json_length));
+  for (const auto& view : json["bufferViews"]) EXPECT_EQ(view["byteOffset"].get<std::size_t>() % 4, 0u);
+  std::vector<std::string> names;
+  for (const auto& node : json["nodes"]) names.push_back(node["name"]);
+  for (const char* name : {"spacecraft", "target", "rods", "net", "closing ropes", "contact forces", "initial shape"}) {
+    EXPECT_NE(std::ranges::find(names, name), names.end()) << name;
+  }
+
+  vtkNew<vtkGLTFImporter> importer;
+  importer->SetFileName(file.c_str());
+  const auto window = HostedRenderWindow::make(make_gl_host(GlBackend::osmesa), 64, 64);
+  importer->SetRenderWindow(window);
+  importer->Update();
+  auto* actors = importer->GetRenderer()->GetActors();
+  ASSERT_EQ(actors->GetNumberOfItems(), static_cast<int>(names.size()));
+  actors->InitTraversal();
+  int translucent = 0, with_colors = 0;
+  for (const auto& name : names) {
+    auto* actor = actors->GetNextActor();
+    auto* mesh = vtkPolyDataMapper::SafeDownCast(actor->GetMapper())->GetInput();
+    ASSERT_GT(mesh->GetNumberOfPoints(), 0) << name;
+    if (mesh->GetNumberOfPolys() > 0) {
+      auto* normals = mesh->GetPointData()->GetNormals();
+      ASSERT_TRUE(normals) << name;
+      for (vtkIdType i = 0; i < normals->GetNumberOfTuples(); i += 17) {
+        const double* n = normals->GetTuple3(i);
+        EXPECT_NEAR(std::hypot(n[0], n[1], n[2]), 1, 1e-5) << name;
+      }
+    }
+    with_colors += mesh->GetPointData()->GetArray("COLOR_0") || mesh->GetPointData()->GetScalars();
+    if (actor->GetProperty()->GetOpacity() < 1) {
+      ++translucent;
+      EXPECT_EQ(name, "target");
+      EXPECT_NEAR(actor->GetProperty()->GetOpacity(), 0.4, 1e-6);
+    }
+  }
+  EXPECT_EQ(translucent, 1);
+  EXPECT_GE(with_colors, 5);
+}
+
+TEST_F(Rendering, ReportIsOneFileThatNeedsNothingElse) {
+  const auto first = folder_.file("case1.h5"), second = folder_.file("other.h5");
+  write_pocket_recording(first, "case1");
+  write_pocket_recording(second, "<other> & more");
+  const auto page = folder_.file("report.html");
+  const auto result =
+      run_program({"report", first, second, "-o", page, "--fps", "1", "--backend", "osmesa", "--quiet"});
+  ASSERT_EQ(result.exit_code, 0) << result.error;
+  const auto text = content(page);
+  // Nothing is loaded: every source is inside.
+  const std::regex reference("(src|href)=\"([^\"]{0,40})");
+  int inside = 0;
+  for (std::sregex_iterator match(text.begin(), text.end(), reference), end; match != end; ++match) {
+    EXPECT_TRUE((*match)[2].str().starts_with("data:")) << (*match)[0];
+    ++inside;
+  }
+  EXPECT_EQ(inside, 9);  // sheet, video and seven figures
+  for (const char* part : {"url(", "@import", "<script", "<link"}) EXPECT_EQ(text.find(part), std::string::npos) << part;
+  EXPECT_NE(text.find("&lt;other&gt; &amp; more"), std::string::npos);
+  EXPECT_EQ(text.find("<other>"), std::string::npos);
+  for (const char* part : {"data:image/png;base64,", "data:video/mp4;base64,", "data:image/svg+xml;base64,", "F11",
+                           "First contact", "[closing]"}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part;
+  }
+  {
+    const Variable path("PATH", "/nowhere");
+    const auto without = run_program({"report", first, "-o", page, "--backend", "osmesa", "--quiet"});
+    EXPECT_EQ(without.exit_code, 6);
+    expect_one_sentence(without.error, "the program ffmpeg is not installed");
+    const auto plain = run_program({"report", first, "-o", page, "--no-video", "--backend", "osmesa", "--quiet"});
+    EXPECT_EQ(plain.exit_code, 0) << plain.error;
+  }
+  EXPECT_EQ(content(page).find("<video"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace netpocket::pictures
