@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <type_traits>
 #include <utility>
+
+#include "engine/scenario/edit_distance.h"
 
 namespace netpocket {
 namespace {
@@ -215,27 +216,13 @@ constexpr std::array kParameters = {
 };
 // clang-format on
 
-std::size_t edit_distance(std::string_view from, std::string_view to) {
-  std::vector<std::size_t> row(to.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i + 1);
-    for (std::size_t j = 0; j < to.size(); ++j) {
-      const std::size_t replaced = diagonal + (from[i] == to[j] ? 0 : 1);
-      diagonal = std::exchange(row[j + 1], std::min({replaced, row[j] + 1, row[j + 1] + 1}));
-    }
-  }
-  return row[to.size()];
-}
-
 // The candidate with the lowest score, if that is low enough for a slip of the pen.
 template <typename Candidates, typename NameOf, typename Score>
 std::optional<std::string_view> nearest(const Candidates& candidates, NameOf name_of, std::string_view unknown,
                                         Score score) {
-  constexpr std::size_t kLongestName = 64;  // bounds the effort
-  if (unknown.empty() || unknown.size() > kLongestName) return std::nullopt;
+  if (unknown.empty() || unknown.size() > kLongestComparedName) return std::nullopt;
   std::string_view best;
-  auto lowest = std::pair(std::max<std::size_t>(2, unknown.size() / 3) + 1, std::size_t{0});
+  auto lowest = std::pair(largest_slip(unknown) + 1, std::size_t{0});
   for (const auto& candidate : candidates) {
     const std::string_view name = name_of(candidate);
     if (const auto now = score(name); now < lowest) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <csignal>
 #include <sstream>
 
 #include "engine/recording/recorder.h"
@@ -186,6 +187,8 @@ ExitCode run_guarded(const std::vector<std::string>& arguments) {
 }  // namespace
 
 int run_command_line(int argc, const char* const* argv) {
+  // A limit on the size of files is an error to report, not a reason to die.
+  std::signal(SIGXFSZ, SIG_IGN);
   return static_cast<int>(run_guarded({argv + std::min(argc, 1), argv + argc}));
 }
 

@@ -65,6 +65,7 @@ class CaptureSession : public QObject {
   void take(const FrameReady& report);
   void take(const StateChanged& report);
   void take(const StrategyChanged& report);
+  void take(const CheckpointTaken& report);
   void take(const WorkerFailed& report);
   void leave_live_run();
   void frame_loaded(RunId run, std::size_t index);

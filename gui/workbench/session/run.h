@@ -34,8 +34,9 @@ struct Run {
   RunState state = RunState::preparing;
   RunStatus status;
   RunStatistics statistics;
-  double speed = 0;             // simulated seconds for one of wall time, lately
-  bool simulated_here = true;   // can be continued as a branch
+  double speed = 0;  // simulated seconds for one of wall time, lately
+  bool simulated_here = true;
+  bool continuable = true;      // as a branch: what was recorded by another version is not
   std::vector<TimeMark> notes;  // own marks, strategy changes and the branch point
 
   std::size_t frame_count() const { return series.times().size(); }

@@ -55,6 +55,7 @@ RunId RunLibrary::add_branch(RunId parent_id, double time) {
   Run run = parent;
   run.name = tr("%1, from %2 s").arg(parent.name).arg(time, 0, 'f', 2);
   run.parent = parent_id;
+  run.simulated_here = true;
   run.branch_time = time;
   run.state = RunState::preparing;
   run.status = {};
@@ -64,10 +65,8 @@ RunId RunLibrary::add_branch(RunId parent_id, double time) {
   const RunId id = insert(std::move(run));
   Run& branch = *get(id);
   branch.file = RunFile::temporary(temporary_path(id).toStdString());
-  store([file = branch.file, source = parent.file, count, structure = branch.structure,
-         origin = run_origin(branch.scenario, origin_)] {
-    file->begin(origin, *structure);
-    file->copy_frames(*source, count);
+  store([file = branch.file, source = parent.file, count, time, structure = branch.structure] {
+    file->begin_branch(*source, count, time, *structure);
   });
   for (std::size_t i = 0; i < count; ++i) {
     if (auto frame = cache_.find(parent_id, i)) cache_.add(id, i, std::move(frame));
@@ -113,6 +112,7 @@ void RunLibrary::add_recording(Recording recording, const Scenario& scenario) {
   run.series = run_series(recording);
   run.state = RunState::recorded;
   run.simulated_here = false;
+  run.continuable = why_not_resumable(recording, origin_).empty();
   run.status = recording.status();
   run.statistics = recording.statistics();
   run.file = RunFile::existing(std::move(recording));
@@ -177,6 +177,21 @@ void RunLibrary::append(RunId id, std::shared_ptr<const Snapshot> frame, const R
   cache_.add(id, run->frame_count() - 1, frame);
   store([file = run->file, frame] { file->write(*frame); });
   emit frames_added(id);
+}
+
+void RunLibrary::append(RunId id, std::shared_ptr<const Checkpoint> checkpoint) {
+  const Run* run = find(id);
+  if (run == nullptr) return;
+  store([file = run->file, checkpoint = std::move(checkpoint)] { file->write(*checkpoint); });
+}
+
+void RunLibrary::read_checkpoints(RunId id, double time, std::function<void(CheckpointLog)> use) {
+  const Run* run = find(id);
+  if (run == nullptr) return;
+  store([this, file = run->file, time, threads = origin_.threads, use = std::move(use)] {
+    CheckpointLog log = file->checkpoint_log(time, {threads});
+    later([use, log = std::move(log)] { use(log); });
+  });
 }
 
 void RunLibrary::set_state(RunId id, RunState state, const RunStatus& status, const RunStatistics& statistics) {

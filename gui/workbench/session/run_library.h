@@ -39,6 +39,9 @@ class RunLibrary : public QObject {
 
   void begin(RunId id, std::shared_ptr<const Structure> structure, const Scenario& scenario);
   void append(RunId id, std::shared_ptr<const Snapshot> frame, const RunStatistics& statistics, double speed);
+  void append(RunId id, std::shared_ptr<const Checkpoint> checkpoint);
+  // Reads from a run's recording what leads to `time` (s), then calls `use` on the user interface's thread.
+  void read_checkpoints(RunId id, double time, std::function<void(CheckpointLog)> use);
   void set_state(RunId id, RunState state, const RunStatus& status, const RunStatistics& statistics);
   void set_scenario(RunId id, const Scenario& scenario);
   // Stores how the run ended; no frame follows.
