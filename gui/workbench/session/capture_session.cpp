@@ -1,10 +1,12 @@
 #include "gui/workbench/session/capture_session.h"
 
+#include <QDir>
 #include <QTimer>
 
 namespace netpocket {
 
-CaptureSession::CaptureSession(SessionOptions options) : runs_(options.origin, options.cache_bytes) {
+CaptureSession::CaptureSession(SessionOptions options)
+    : runs_(options.origin, options.cache_bytes, options.folder.isEmpty() ? QDir::tempPath() : options.folder) {
   connect(&runs_, &RunLibrary::frame_loaded, this, &CaptureSession::frame_loaded);
   connect(&runs_, &RunLibrary::failed, this, &CaptureSession::failed);
   const auto notify = [this] {
@@ -96,6 +98,11 @@ void CaptureSession::single_step() {
 }
 
 void CaptureSession::set_pace(double rate) { worker_->post(SetPace{rate}); }
+
+void CaptureSession::set_threads(int threads) {
+  runs_.set_threads(threads);
+  worker_->post(SetThreads{threads});
+}
 
 void CaptureSession::change_strategy(const Scenario& scenario) {
   if (live_ >= 0) worker_->post(ChangeStrategy{scenario});

@@ -8,8 +8,8 @@ std::shared_ptr<RunFile> RunFile::temporary(const std::string& path) {
   return std::shared_ptr<RunFile>(new RunFile(path, true));
 }
 
-std::shared_ptr<RunFile> RunFile::existing(Recording recording) {
-  std::shared_ptr<RunFile> file(new RunFile(recording.path(), false));
+std::shared_ptr<RunFile> RunFile::existing(Recording recording, bool temporary) {
+  std::shared_ptr<RunFile> file(new RunFile(recording.path(), temporary));
   file->written_ = recording.frame_count();
   file->origin_ = recording.origin();
   file->reader_.emplace(std::move(recording));

@@ -17,8 +17,8 @@ class RunFile {
  public:
   // A temporary recording, removed with the object.
   static std::shared_ptr<RunFile> temporary(const std::string& path);
-  // An existing recording, which is only read.
-  static std::shared_ptr<RunFile> existing(Recording recording);
+  // An existing recording, which is only read; a temporary one is removed with the object.
+  static std::shared_ptr<RunFile> existing(Recording recording, bool temporary);
   ~RunFile();
 
   const std::string& path() const { return path_; }

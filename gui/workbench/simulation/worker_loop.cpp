@@ -104,6 +104,8 @@ void WorkerLoop::on(const SingleStep&) {
 
 void WorkerLoop::on(const SetPace& command) { pace_.set_rate(command.rate); }
 
+void WorkerLoop::on(const SetThreads& command) { worker_.threads_ = command.threads; }
+
 void WorkerLoop::on(const ChangeStrategy& command) {
   if (!simulation_) return;
   report_checkpoint(&command.scenario);

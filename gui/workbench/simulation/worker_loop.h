@@ -24,6 +24,7 @@ class WorkerLoop {
   void on(const Pause& command);
   void on(const SingleStep& command);
   void on(const SetPace& command);
+  void on(const SetThreads& command);
   void on(const ChangeStrategy& command);
 
   void install(RunId run, Simulation simulation);

@@ -48,11 +48,16 @@ struct SingleStep {};
 struct SetPace {
   double rate = 0;
 };
+// Threads inside a simulation, of those begun from now on.
+struct SetThreads {
+  int threads = 1;
+};
 // Closing law, towing and friction act as in this scenario from now on.
 struct ChangeStrategy {
   Scenario scenario;
 };
-using WorkerCommand = std::variant<BeginRun, BeginBranch, Resume, Pause, SingleStep, SetPace, ChangeStrategy>;
+using WorkerCommand =
+    std::variant<BeginRun, BeginBranch, Resume, Pause, SingleStep, SetPace, SetThreads, ChangeStrategy>;
 
 // From the worker.
 
