@@ -72,6 +72,7 @@ ContactSolver::ContactSolver(const Model& model, const SlotLayout& layout, std::
       excluded.push_back(attached(element.node1) || attached(element.node2) || material.radius <= 0);
     }
     pairs_.push_back(std::move(pairs));
+    trackers_.emplace_back(body.shape, model.elements.size() * samples_.size());
     excluded_.push_back(std::move(excluded));
   }
 }
@@ -101,18 +102,18 @@ void ContactSolver::update_broad_phase(const SlotVectors& coordinates, const std
   broad_phase_.update(boxes, shapes);
 }
 
-double ContactSolver::clearance(const SlotVectors& coordinates, double length, std::int32_t element, std::int32_t body,
-                                const DynamicBody& dynamic) const {
-  double smallest = std::numeric_limits<double>::infinity();
+bool ContactSolver::is_near(const SlotVectors& coordinates, double length, std::int32_t element, std::int32_t body,
+                            const DynamicBody& dynamic, double reach) {
   const Eigen::Vector3d centre = dynamic.centre();
-  for (const Sample& sample : samples_) {
+  for (std::size_t i = 0; i < samples_.size(); ++i) {
+    const Sample& sample = samples_[i];
     const Eigen::Vector3d point =
         combine(coordinates, slots_[element],
                 {sample.position1, length * sample.gradient1, sample.position2, length * sample.gradient2});
     const Eigen::Vector3d local = symmetric_transposed_product(dynamic.rigid().rotation(), point - centre);
-    smallest = std::min(smallest, nearest_surface_point(model_.bodies[body].shape, local).distance);
+    if (trackers_[body].nearest(element * samples_.size() + i, local, reach)) return true;
   }
-  return smallest - radius_[element];
+  return false;
 }
 
 void ContactSolver::survey(const SlotVectors& coordinates, const SlotVectors& velocities,
@@ -140,7 +141,8 @@ void ContactSolver::survey(const SlotVectors& coordinates, const SlotVectors& ve
     if (!model_.bodies[b].touches_cables) continue;
     for (const std::int32_t element : broad_phase_.candidates(static_cast<int>(b))) {
       if (excluded_[b][element]) continue;
-      if (clearance(coordinates, element_length[element], element, static_cast<std::int32_t>(b), bodies[b]) < margin) {
+      if (is_near(coordinates, element_length[element], element, static_cast<std::int32_t>(b), bodies[b],
+                  margin + radius_[element])) {
         near_[b].push_back(element);
       }
     }
@@ -161,15 +163,16 @@ void ContactSolver::find(const SlotVectors& coordinates, const std::vector<doubl
     const Eigen::Matrix3d& rotation = bodies[b].rigid().rotation();
     for (const std::int32_t element : near_[b]) {
       const double length = element_length[element];
-      for (const Sample& sample : samples_) {
+      for (std::size_t i = 0; i < samples_.size(); ++i) {
+        const Sample& sample = samples_[i];
         const std::array<double, 4> weight = {sample.position1, length * sample.gradient1, sample.position2,
                                               length * sample.gradient2};
         const Eigen::Vector3d point = combine(coordinates, slots_[element], weight);
-        const SurfacePoint nearest =
-            nearest_surface_point(model_.bodies[b].shape, symmetric_transposed_product(rotation, point - centre));
-        const double penetration = radius_[element] - nearest.distance;
-        if (penetration <= 0) continue;
-        const Eigen::Vector3d normal = symmetric_product(rotation, nearest.normal);
+        const auto nearest = trackers_[b].nearest(
+            element * samples_.size() + i, symmetric_transposed_product(rotation, point - centre), radius_[element]);
+        if (!nearest) continue;
+        const double penetration = radius_[element] - nearest->distance;
+        const Eigen::Vector3d normal = symmetric_product(rotation, nearest->normal);
         contacts_.push_back({.element = element,
                              .body = static_cast<std::int32_t>(b),
                              .slot = slots_[element],

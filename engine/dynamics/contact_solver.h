@@ -19,6 +19,7 @@
 
 #include "engine/contact/broad_phase.h"
 #include "engine/contact/force_law.h"
+#include "engine/contact/surface_tracker.h"
 #include "engine/dynamics/dynamic_body.h"
 #include "engine/dynamics/slot_state.h"
 #include "engine/model/model.h"
@@ -77,8 +78,9 @@ class ContactSolver {
                           const std::vector<DynamicBody>& bodies);
   void find(const SlotVectors& coordinates, const std::vector<double>& element_length,
             const std::vector<DynamicBody>& bodies);
-  double clearance(const SlotVectors& coordinates, double length, std::int32_t element, std::int32_t body,
-                   const DynamicBody& dynamic) const;
+  // Whether a contact point of the element is nearer than `reach` (m) to the body.
+  bool is_near(const SlotVectors& coordinates, double length, std::int32_t element, std::int32_t body,
+               const DynamicBody& dynamic, double reach);
   void share_inertia();
   NormalLaw law(const Contact& contact, double dt) const;
   void set_force(Contact& contact, const SlotVectors& velocities, std::span<const double> inverse_mass,
@@ -96,6 +98,7 @@ class ContactSolver {
   std::vector<std::vector<Pair>> pairs_;             // by body, element
   std::vector<std::vector<std::uint8_t>> excluded_;  // by body, element: attached to it
   BroadPhase broad_phase_;
+  std::vector<SurfaceTracker> trackers_;         // by body; its points: by element, sample
   std::vector<std::vector<std::int32_t>> near_;  // by body: elements so near that they are tested at every step
   std::vector<Contact> contacts_;
   std::vector<double> shared_weight_;  // by slot, sum of contact weights

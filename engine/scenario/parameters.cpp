@@ -16,7 +16,11 @@ using namespace std::string_view_literals;
 template <typename Enum>
 constexpr std::array<std::string_view, 0> kNames{};
 template <>
-constexpr std::array kNames<TargetShape> = {"sphere"sv, "box"sv, "cylinder"sv};
+constexpr std::array kNames<TargetShape> = {"sphere"sv, "box"sv, "cylinder"sv, "satellite"sv, "mesh"sv};
+template <>
+constexpr std::array kNames<MeshUnit> = {"m"sv, "cm"sv, "mm"sv, "inch"sv, "foot"sv};
+template <>
+constexpr std::array kNames<InertiaSource> = {"given"sv, "shape"sv};
 template <>
 constexpr std::array kNames<ClosingLaw> = {"cycloid"sv, "quintic"sv, "trapezoid"sv, "linear"sv, "table"sv};
 template <>
@@ -174,10 +178,16 @@ constexpr std::array kParameters = {
 
     parameter<kTarget, &Target::shape>("target.shape", kNone, "", "shape", kAssumption),
     parameter<kTarget, &Target::radius>("target.radius", within(1e-2, 1e3), "m", "radius of a sphere or cylinder", kAssumption),
-    parameter<kTarget, &Target::size>("target.size", within(1e-2, 1e3), "m", "edges of a box", kAssumption),
+    parameter<kTarget, &Target::size>("target.size", within(1e-2, 1e3), "m", "edges of a box or of a satellite's bus", kAssumption),
     parameter<kTarget, &Target::length>("target.length", within(1e-2, 1e3), "m", "length of a cylinder, along its y axis", kAssumption),
+    parameter<kTarget, &Target::span>("target.span", within(1e-2, 1e3), "m", "length of a satellite from tip to tip of its solar panels, along its x axis", kAssumption),
+    parameter<kTarget, &Target::panel_width>("target.panel_width", within(1e-2, 1e3), "m", "width of a satellite's solar panels, along its y axis", kAssumption),
+    parameter<kTarget, &Target::dish_diameter>("target.dish_diameter", within(1e-2, 1e3), "m", "diameter of a satellite's dish, at the +y side of its bus", kAssumption),
+    parameter<kTarget, &Target::mesh_file>("target.mesh_file", within(0, 1000), "", "mesh: STL or OBJ file in the scenario's folder or below; its centre of mass becomes the body's", "user's choice"),
+    parameter<kTarget, &Target::mesh_unit>("target.mesh_unit", kNone, "", "mesh: unit of the file's coordinates", kAssumption),
     parameter<kTarget, &Target::mass>("target.mass", within(1e-3, 1e7), "kg", "mass", kTable1),
     parameter<kTarget, &Target::inertia>("target.inertia", within(1e-6, 1e10), "kg m^2", "principal moments of inertia about the centre of mass, body axes", kTable1),
+    parameter<kTarget, &Target::inertia_from>("target.inertia_from", kNone, "", "given: target.inertia; shape: that of the shape filled evenly with the mass", kAssumption),
     parameter<kTarget, &Target::position>("target.position", within(-1e4, 1e4), "m", "centre of mass at the start", "paper, section 4.2"),
     parameter<kTarget, &Target::attitude>("target.attitude", within(-10, 10), "rad", "rotation vector that turns the world axes into the body axes at the start", kAssumption),
     parameter<kTarget, &Target::velocity>("target.velocity", within(-100, 100), "m/s", "velocity of the centre of mass at the start", "paper, section 4.2: at rest"),

@@ -140,7 +140,9 @@ TEST(Hostile, WrongIndices) {
   EXPECT_EQ(last("/structure/element_gradients", -1), "element 19 names a gradient that does not exist");
   EXPECT_EQ(last("/structure/element_thread", 2), "element 19 names a thread that does not exist");
   EXPECT_EQ(last("/structure/element_kind", 4), "element 19 has an unknown kind");
-  EXPECT_EQ(last("/structure/body_shape", 3), "a body has an unknown shape");
+  EXPECT_EQ(last("/structure/body_shape", 5), "a body has an unknown shape");
+  EXPECT_EQ(last("/structure/body_shape", 4), "a body names a mesh that does not exist");
+  EXPECT_EQ(last("/structure/body_shape", 3), "a body has an impossible size or mass");
   EXPECT_EQ(last("/structure/rod_tips", 21), "a rod names a node that does not exist");
   EXPECT_EQ(last("/contacts/body", 3), "its contacts are damaged");
   EXPECT_EQ(last("/contacts/element", -1), "its contacts are damaged");
