@@ -35,6 +35,7 @@ constexpr std::array kCommands = {
     Command{"export", "write a recording as CSV or for ParaView", declare_export},
     Command{"info", "what a recording holds and came to", declare_info},
     Command{"findings", "whether recordings show what the paper found", declare_findings},
+    Command{"study", "run many variations of a scenario side by side and tabulate them", declare_study},
     Command{"backends", "which ways to draw without a display there are", declare_backends},
 };
 
