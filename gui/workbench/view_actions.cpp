@@ -140,7 +140,7 @@ void ViewActions::add_colors(QMenu& menu, QToolBar& bar) {
   });
   bar.addWidget(choice);
   auto* colors = menu.addMenu(tr("Colours"));
-  auto* next = add(*colors, tr("Next"), Qt::Key_C, tr("Colour by the next quantity"));
+  auto* next = add(*colors, tr("Next colours"), Qt::Key_C, tr("Colour by the next quantity"));
   connect(next, &QAction::triggered, choice,
           [choice] { choice->setCurrentIndex((choice->currentIndex() + 1) % choice->count()); });
   for (int i = 0; i < choice->count(); ++i) {

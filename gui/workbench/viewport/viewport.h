@@ -94,6 +94,8 @@ class Viewport : public QWidget {
   void click(const QPointF& position);
   Eigen::Vector3d target_position(const Snapshot& snapshot) const;
   void place_panel();
+  double aspect() const;
+  void keep_in_sight(const QSize& before);
 
   std::unique_ptr<Presenter> presenter_;
   ViewportOverlay* overlay_;
@@ -102,6 +104,7 @@ class Viewport : public QWidget {
   ViewState shown_;
   CameraPreset preset_ = CameraPreset::iso;
   bool framed_ = false;  // whether the camera has been aimed at a pocket
+  double aimed_aspect_ = 1;  // of the picture when the camera was set last
   bool follow_ = false;
   bool measuring_ = false;
   bool moving_ = false;

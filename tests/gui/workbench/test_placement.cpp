@@ -89,6 +89,18 @@ TEST_F(PlacementTest, DragOfTheTargetIsOneEditOfTheScenario) {
   EXPECT_EQ(window_->document().scenario().target.position, before);
 }
 
+// From the side the net is before the target.
+TEST_F(PlacementTest, TheNetIsNotInTheWay) {
+  window_->viewport().set_preset(CameraPreset::side);
+  ASSERT_TRUE(wait_for_picture());
+  window_->view_actions().move_action()->trigger();
+  QTest::qWait(50);
+  const Eigen::Vector3d before = window_->document().scenario().target.position;
+  for (int i = 0; i < 5; ++i) drag(target() + QPoint(3 * i, 2 * i), {0, 20}, Qt::ShiftModifier);
+  EXPECT_EQ(window_->document().undo_stack()->count(), 5);
+  EXPECT_NE(window_->document().scenario().target.position, before);
+}
+
 TEST_F(PlacementTest, WithoutTheToolADragOrbits) {
   const Eigen::Vector3d camera = window_->viewport().view().position;
   drag(target(), {40, 0});
