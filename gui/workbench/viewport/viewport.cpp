@@ -256,12 +256,12 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
 }
 
 bool Viewport::grab_body(const QPointF& position) {
-  const auto pick = body_at(shown_, position, size());
-  if (!pick || shown_.structure != state_.structure) return false;
+  const auto pick = body_at(state_, position, size());
+  if (!pick) return false;
   dragged_body_ = static_cast<std::size_t>(pick->index);
   if (state_.structure->bodies[dragged_body_].role == BodyRole::other) return false;
-  const auto grabbed = position_of(*pick, *state_.structure, *shown_.snapshot);
-  body_drag_ = BodyDrag(OrbitCamera(shown_.camera), size(), *grabbed, shown_.snapshot->bodies[dragged_body_].position);
+  const auto grabbed = position_of(*pick, *state_.structure, *state_.snapshot);
+  body_drag_ = BodyDrag(OrbitCamera(state_.camera), size(), *grabbed, state_.snapshot->bodies[dragged_body_].position);
   setCursor(Qt::ClosedHandCursor);
   emit body_drag_started();
   return true;

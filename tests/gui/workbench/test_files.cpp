@@ -2,6 +2,7 @@
 
 #include <QAbstractButton>
 #include <QDir>
+#include <QFile>
 #include <QTest>
 #include <QUndoStack>
 

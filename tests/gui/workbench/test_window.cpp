@@ -146,11 +146,14 @@ TEST_F(WindowTest, StrategyThatNeedsARestartSaysSo) {
 
 TEST_F(WindowTest, FrictionAndTowingActOnTheRunTheyAreEditedIn) {
   ASSERT_TRUE(run_to(0.2));
-  for (const auto& [key, value] : {std::pair("contact.friction", 0.7), std::pair("towing.start", 1.5)}) {
-    ASSERT_FALSE(window_->document().set_value(parameter(key), value));
-    ASSERT_TRUE(wait_until([&] {
-      return std::get<double>(parameter(key).get(window_->session().live()->scenario)) == value;
-    })) << key;
+  const std::vector<std::pair<const char*, double>> edits = {{"contact.friction", 0.7}, {"towing.start", 1.5}};
+  for (const auto& edit : edits) {
+    const Parameter& changed = parameter(edit.first);
+    ASSERT_FALSE(window_->document().set_value(changed, edit.second));
+    const auto acts = [&] {
+      return std::get<double>(changed.get(window_->session().live()->scenario)) == edit.second;
+    };
+    ASSERT_TRUE(wait_until(acts)) << edit.first;
   }
   EXPECT_TRUE(window_->editor().keys_that_need_restart().isEmpty());
   // Each change is a mark on the timeline.
