@@ -55,6 +55,7 @@ void Viewport::set_pocket(std::shared_ptr<const Structure> structure, std::share
     // What was picked may not exist in another pocket.
     select(std::nullopt);
     measured_.clear();
+    state_.history = nullptr;  // it fits the pocket before
     if (structure == nullptr || !state_.structure || structure->bodies.size() != state_.structure->bodies.size()) {
       end_drag();
     }
@@ -77,6 +78,12 @@ void Viewport::set_snapshot(std::shared_ptr<const Snapshot> snapshot) {
     set_preset(preset_);
     return;
   }
+  refresh();
+}
+
+void Viewport::set_history(std::shared_ptr<const SceneHistory> history) {
+  if (state_.history == history) return;
+  state_.history = std::move(history);
   refresh();
 }
 

@@ -31,6 +31,9 @@ class Viewport : public QWidget {
   void set_snapshot(std::shared_ptr<const Snapshot> snapshot);
   const ViewState& state() const { return state_; }
 
+  // Of the run that is shown, for trails and the initial shape; null: none.
+  void set_history(std::shared_ptr<const SceneHistory> history);
+
   void set_options(const SceneOptions& options);
   const SceneOptions& options() const { return *state_.options; }
 

@@ -283,6 +283,26 @@ TEST_F(WindowTest, EditingAfterARunShowsThePreviewAndSaysSo) {
   EXPECT_EQ(window_->viewport().state().structure->rod_tips.size(), 8u);
 }
 
+TEST_F(WindowTest, ShowsTrailsAndTheInitialShape) {
+  ASSERT_TRUE(run_to(0.4));
+  EXPECT_EQ(window_->viewport().state().history, nullptr);
+  QTest::keyClick(&window_->viewport(), Qt::Key_R);
+  QTest::keyClick(&window_->viewport(), Qt::Key_I);
+  QTest::keyClick(&window_->viewport(), Qt::Key_A);
+  const auto history = window_->viewport().state().history;
+  ASSERT_TRUE(history);
+  ASSERT_TRUE(history->initial);
+  EXPECT_EQ(history->initial->time, 0);
+  ASSERT_EQ(history->paths.size(), 2u);  // spacecraft and target
+  EXPECT_EQ(history->paths[0].times.size(), window_->session().current()->frame_count());
+  EXPECT_TRUE(wait_for_picture());
+  screenshot("trails");
+  // A preview of another pocket has no past.
+  ASSERT_FALSE(window_->document().set_value(parameter("pocket.rod_count"), std::int64_t{6}));
+  ASSERT_TRUE(wait_until([&] { return window_->viewport().state().structure->rod_tips.size() == 6; }));
+  EXPECT_EQ(window_->viewport().state().history, nullptr);
+}
+
 TEST_F(WindowTest, FollowsADarkDesktop) {
   const QPalette light = QApplication::palette();
   QPalette dark(QColor(45, 48, 54), QColor(38, 41, 46));
