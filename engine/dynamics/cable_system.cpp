@@ -92,8 +92,9 @@ struct CableSystem::Impl {
   SlotVectors constant_load;               // gravity and loads
   std::vector<std::int32_t> loaded_slots;  // where `applied` may differ from `constant_load`
   std::vector<Wrench> wrenches;            // by body
-  double damping_power = 0, hinge_power = 0;
-  std::vector<double> chunk_power;
+  BatchPower element_power;
+  double hinge_power = 0;
+  std::vector<BatchPower> chunk_power;
 
   // Accounts since the start.
   double input_work = 0, dissipated = 0, initial_energy = 0, initial_load_work = 0;
@@ -203,9 +204,9 @@ bool CableSystem::Impl::moves(std::int32_t slot) const {
 
 // Brings lengths and masses of ropes to the present time.
 void CableSystem::Impl::update_ropes() {
-  if (ropes.empty()) return;
+  if (ropes.empty() || !ropes.set_time(time)) return;
   for (const std::int32_t slot : ropes.massive_slots()) mass[slot] = constant_mass[slot];
-  ropes.update(time, batch, mass);
+  ropes.update(batch, mass);
   for (const std::int32_t slot : ropes.massive_slots()) {
     if (inverse_mass[slot] != 0) inverse_mass[slot] = 1 / mass[slot];
   }
@@ -244,16 +245,19 @@ void CableSystem::Impl::compute_element_forces() {
     compute_full_forces();
     return;
   }
-  chunk_power.assign((batch.block_count() + kChunk - 1) / kChunk, 0.0);
+  chunk_power.resize((batch.block_count() + kChunk - 1) / kChunk);
   for_chunks(batch.block_count(), [&](int chunk, int first, int last) {
     chunk_power[chunk] = batch.forces(first, last, coordinates.arrays(), velocities.arrays(), element_forces.data());
   });
-  damping_power = 0;
-  for (const double power : chunk_power) damping_power += power;
+  element_power = {};
+  for (const BatchPower& power : chunk_power) {
+    element_power.dissipated += power.dissipated;
+    element_power.fed += power.fed;
+  }
 }
 
 void CableSystem::Impl::compute_full_forces() {
-  damping_power = 0;
+  element_power = {};
   for (std::size_t i = 0; i < elements.size(); ++i) {
     const FullElement element(elements[i].section, span(i));
     const ElementCoordinates q = gather(coordinates, i), velocity = gather(velocities, i);
@@ -263,7 +267,8 @@ void CableSystem::Impl::compute_full_forces() {
     for (int part = 0; part < 3; ++part) {
       for (int axis = 0; axis < 3; ++axis) rows[(3 * part + axis) * kBlockSize] = force(axis, columns[part]);
     }
-    damping_power += element.dissipated_power(q, velocity);
+    element_power.dissipated += element.dissipated_power(q, velocity);
+    element_power.fed += element.feeding_power(q, velocity);
   }
 }
 
@@ -352,8 +357,8 @@ void CableSystem::Impl::step(double dt) {
   // Velocities stand half a step of the previous size before the positions; at the start they stand with them.
   const double kick = 0.5 * (last_dt + dt);
   const double power_before = contacts.dissipated_power(velocities, bodies);
-  if (!ropes.empty()) input_work += kick * ropes.feeding_power(coordinates, velocities);
-  dissipated += kick * (damping_power + hinge_power);
+  input_work += kick * element_power.fed;
+  dissipated += kick * (element_power.dissipated + hinge_power);
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     impulses[b] += kick * contacts.force_on(static_cast<std::int32_t>(b));
   }
@@ -437,9 +442,8 @@ EnergyAudit CableSystem::Impl::audit() {
   result.kinetic = kinetic_energy();
   result.strain = strain_energy();
   result.dissipated =
-      dissipated + half_kick * (damping_power + hinge_power + contacts.dissipated_power(velocities, bodies));
-  result.input = input_work + load_work() - initial_load_work;
-  if (!ropes.empty()) result.input += half_kick * ropes.feeding_power(coordinates, velocities);
+      dissipated + half_kick * (element_power.dissipated + hinge_power + contacts.dissipated_power(velocities, bodies));
+  result.input = input_work + half_kick * element_power.fed + load_work() - initial_load_work;
   result.error = result.kinetic + result.strain + result.dissipated - result.input - initial_energy;
   return result;
 }

@@ -96,6 +96,8 @@ struct RopeMotion {
   double length;        // m, material between the retractors
   double rate;          // m/s
   double acceleration;  // m/s^2
+
+  bool operator==(const RopeMotion&) const = default;
 };
 
 // A chain of elements whose material is wound in (or let out) by retractors at its end nodes. Its inner nodes stay

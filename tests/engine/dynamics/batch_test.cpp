@@ -66,11 +66,11 @@ struct Batch {
   }
 };
 
-AlignedVector<double> forces_of(const ElementBatch& batch, Batch& state, double* power = nullptr) {
+AlignedVector<double> forces_of(const ElementBatch& batch, Batch& state, BatchPower* power = nullptr) {
   AlignedVector<double> rows(static_cast<std::size_t>(batch.block_count()) * kForceRows * kBlockSize, -1.0);
-  const double dissipated =
+  const BatchPower total =
       batch.forces(0, batch.block_count(), state.coordinates.arrays(), state.velocities.arrays(), rows.data());
-  if (power != nullptr) *power = dissipated;
+  if (power != nullptr) *power = total;
   return rows;
 }
 
@@ -101,14 +101,18 @@ Batch irregular_batch(double compression, bool variable) {
 
 // Largest difference of force or power, relative to the largest force.
 double difference_to_reference(Batch& state) {
-  double power = 0;
+  BatchPower power;
   const ElementBatch batch = state.build();
   const AlignedVector<double> rows = forces_of(batch, state, &power);
-  double largest = 0, difference = 0, reference_power = 0;
+  double largest = 0, difference = 0, feeding_scale = 0;
+  BatchPower reference;
   for (std::size_t i = 0; i < state.elements.size(); ++i) {
     const ElementCoordinates q = state.gather(state.coordinates, i), velocity = state.gather(state.velocities, i);
     const ElementCoordinates force = state.reference(i).internal_force(q, velocity);
-    reference_power += state.reference(i).dissipated_power(q, velocity);
+    reference.dissipated += state.reference(i).dissipated_power(q, velocity);
+    const double fed = state.reference(i).feeding_power(q, velocity);
+    reference.fed += fed;
+    feeding_scale += std::abs(fed);
     largest = std::max(largest, force.cwiseAbs().maxCoeff());
     const double* row = rows.data() + i / kBlockSize * kForceRows * kBlockSize + i % kBlockSize;
     const int columns[3] = {0, 1, 3};
@@ -116,7 +120,9 @@ double difference_to_reference(Batch& state) {
       difference = std::max(difference, std::abs(row[part * kBlockSize] - force(part % 3, columns[part / 3])));
     }
   }
-  return std::max(difference / largest, std::abs(power - reference_power) / reference_power);
+  const double dissipated = std::abs(power.dissipated - reference.dissipated) / reference.dissipated;
+  const double fed = feeding_scale == 0 ? std::abs(power.fed) : std::abs(power.fed - reference.fed) / feeding_scale;
+  return std::max({difference / largest, dissipated, fed});
 }
 
 class VerificationBatch : public test::VerificationTest {};
@@ -140,12 +146,11 @@ TEST_F(VerificationBatch, InstructionSetsGiveTheSameBits) {
   for (const bool variable : {false, true}) {
     Batch state = irregular_batch(0.5, variable);
     const ElementBatch batch = state.build();
-    const std::vector<std::uint8_t> flags(batch.block_count(), variable ? 1 : 0);
     const auto run = [&](element_kernel::Kernel kernel) {
       AlignedVector<double> rows(static_cast<std::size_t>(batch.block_count()) * kForceRows * kBlockSize);
-      const double power = kernel(&batch.block(0), flags.data(), 0, batch.block_count(), state.coordinates.arrays(),
-                                  state.velocities.arrays(), rows.data());
-      rows.push_back(power);
+      const BatchPower power = kernel(batch.view(), 0, batch.block_count(), state.coordinates.arrays(),
+                                      state.velocities.arrays(), rows.data());
+      rows.insert(rows.end(), {power.dissipated, power.fed});
       return rows;
     };
     const auto baseline = run(element_kernel::baseline::element_forces);
