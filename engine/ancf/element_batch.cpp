@@ -8,16 +8,24 @@
 namespace netpocket {
 namespace {
 
-element_kernel::Kernel choose_kernel() {
-  switch (instruction_set()) {
-    case InstructionSet::avx512:
-      return element_kernel::avx512::element_forces;
-    case InstructionSet::avx2:
-      return element_kernel::avx2::element_forces;
-    case InstructionSet::baseline:
-      break;
-  }
-  return element_kernel::baseline::element_forces;
+struct Kernels {
+  element_kernel::Kernel forces;
+  element_kernel::StateKernel states;
+};
+
+const Kernels& kernels() {
+  static const Kernels chosen = [] {
+    switch (instruction_set()) {
+      case InstructionSet::avx512:
+        return Kernels{element_kernel::avx512::element_forces, element_kernel::avx512::element_states};
+      case InstructionSet::avx2:
+        return Kernels{element_kernel::avx2::element_forces, element_kernel::avx2::element_states};
+      case InstructionSet::baseline:
+        break;
+    }
+    return Kernels{element_kernel::baseline::element_forces, element_kernel::baseline::element_states};
+  }();
+  return chosen;
 }
 
 // Fills base and rotation of a corner whose lanes read an aligned run of eight slots, rotated.
@@ -75,6 +83,39 @@ ElementBatch::ElementBatch(std::span<const BatchElement> elements)
     for (int corner = 0; corner < 4; ++corner) find_run(block, corner);
     block.section = index_of(rows);
   }
+  find_mates(elements);
+}
+
+void ElementBatch::find_mates(std::span<const BatchElement> elements) {
+  const auto mate_of = [&](std::size_t element) { return element < elements.size() ? elements[element].mate : -1; };
+  // Whether the mates of all lanes are in the block `distance` on.
+  const auto aligned = [&](std::size_t b, int distance) {
+    for (std::size_t i = b * kBlockSize; i < (b + 1) * kBlockSize; ++i) {
+      if (mate_of(i) < 0 || mate_of(i) != static_cast<std::int32_t>(i) + distance * kBlockSize) return false;
+    }
+    return true;
+  };
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    ElementBlock& block = blocks_[b];
+    block.pairing = Pairing::none;
+    if (aligned(b, 1)) {
+      block.pairing = Pairing::first;
+    } else if (aligned(b, -1)) {
+      block.pairing = Pairing::second;
+    } else {
+      SectionRows unused{};
+      ElementBlock mates = block;
+      for (std::size_t i = b * kBlockSize; i < (b + 1) * kBlockSize; ++i) {
+        if (mate_of(i) < 0) continue;
+        block.pairing = Pairing::elsewhere;
+        fill_lane(mates, unused, static_cast<int>(i % kBlockSize), elements[static_cast<std::size_t>(mate_of(i))]);
+      }
+      if (block.pairing == Pairing::none) continue;
+      for (int corner = 0; corner < 4; ++corner) find_run(mates, corner);
+      block.mates = static_cast<std::int32_t>(mates_.size());
+      mates_.push_back(mates);
+    }
+  }
 }
 
 // Blocks in a row are mostly alike, so the search begins with the newest.
@@ -91,12 +132,20 @@ void ElementBatch::set_length(int element, double length, double rate) {
   block.length[lane] = length;
   block.inverse_length[lane] = 1.0 / length;
   block.length_rate[lane] = rate / length;
+  if (block.pairing != Pairing::elsewhere) return;
+  ElementBlock& mates = mates_[block.mates];  // a mate is as long
+  mates.length[lane] = length;
+  mates.inverse_length[lane] = block.inverse_length[lane];
+  mates.length_rate[lane] = block.length_rate[lane];
 }
 
 BatchPower ElementBatch::forces(int first, int last, const SlotArrays& coordinates, const SlotArrays& velocities,
                                 double* forces) const {
-  static const element_kernel::Kernel kernel = choose_kernel();
-  return kernel(view(), first, last, coordinates, velocities, forces);
+  return kernels().forces(view(), first, last, coordinates, velocities, forces);
+}
+
+void ElementBatch::states(const SlotArrays& coordinates, const SlotArrays& velocities, double* states) const {
+  kernels().states(view(), 0, block_count(), coordinates, velocities, states);
 }
 
 }  // namespace netpocket

@@ -10,7 +10,7 @@
 #include "engine/ancf/full_element.h"
 #include "engine/ancf/instruction_set.h"
 #include "engine/ancf/mass.h"
-#include "engine/ancf/mean_strain_element.h"
+#include "engine/ancf/strain_pair.h"
 #include "engine/bodies/sector_sum.h"
 #include "engine/dynamics/assembly.h"
 #include "engine/dynamics/consistent_mass.h"
@@ -20,6 +20,9 @@
 
 namespace netpocket {
 namespace {
+
+// Rows of ElementBatch::states.
+constexpr std::size_t kStrain = 0, kStrainRate = 1, kBendingEnergy = 2;
 
 // Blocks that one task computes. Fixed, so that sums over tasks do not depend on the number of threads.
 constexpr int kChunk = 128;
@@ -40,14 +43,16 @@ slot_kernel::Kernel choose_slot_kernel() {
   return slot_kernel::baseline::update;
 }
 
-std::vector<BatchElement> batch_elements(const Model& model, const SlotLayout& layout) {
+std::vector<BatchElement> batch_elements(const Model& model, const SlotLayout& layout, ElementEvaluation evaluation) {
   std::vector<BatchElement> elements;
   elements.reserve(model.elements.size());
   for (const ModelElement& e : model.elements) {
     elements.push_back({{layout.position(e.node1), layout.gradient(e.gradient1), layout.position(e.node2),
                          layout.gradient(e.gradient2)},
                         e.length,
-                        model.materials[e.material].section});
+                        model.materials[e.material].section,
+                        false,
+                        evaluation == ElementEvaluation::mean_strain ? e.mate : -1});
   }
   for (const VariableRope& rope : model.ropes) {
     for (const std::int32_t element : rope.elements) elements[element].variable = true;
@@ -88,6 +93,7 @@ struct CableSystem::Impl {
 
   // Forces of the present state.
   AlignedVector<double> element_forces;
+  AlignedVector<double> element_states;    // of the last audit
   SlotVectors applied;                     // all but element forces
   SlotVectors constant_load;               // gravity and loads
   std::vector<std::int32_t> loaded_slots;  // where `applied` may differ from `constant_load`
@@ -114,6 +120,7 @@ struct CableSystem::Impl {
   void add_hinges();
   void compute_forces(double dt);
   void move_slots(double kick, double drift);
+  void kick_and_drift(SlotVectors& v, SlotVectors& x, double kick, double drift);
   void step(double dt);
   Eigen::Vector3d slot_force(std::int32_t slot) const {
     return assembly.element_force(slot, element_forces.data()) + applied.get(slot);
@@ -121,8 +128,12 @@ struct CableSystem::Impl {
   Eigen::MatrixX3d all_slot_forces() const;
   ElementCoordinates gather(const SlotVectors& vectors, std::size_t element) const;
   MaterialSpan span(std::size_t element) const;
+  void compute_states();
+  double element_state(std::size_t element, std::size_t row) const;
+  double resisted(std::size_t element, std::size_t row) const;
+  double tension(std::size_t element) const;
   double strain_energy() const;
-  double kinetic_energy() const;
+  double kinetic_energy();
   double load_work() const;
   EnergyAudit audit();
 };
@@ -134,7 +145,7 @@ CableSystem::Impl::Impl(const Model& source, const SystemOptions& opts)
       layout{static_cast<std::int32_t>(source.nodes.size()), static_cast<std::int32_t>(source.gradients.size())},
       coordinates(layout.size()),
       velocities(layout.size()),
-      elements(batch_elements(model, layout)),
+      elements(batch_elements(model, layout, opts.evaluation)),
       batch(elements),
       assembly(elements, layout.size()),
       constant_mass(layout.size(), 0.0),
@@ -341,14 +352,19 @@ void CableSystem::Impl::move_slots(double kick, double drift) {
     }
     return;
   }
+  kick_and_drift(velocities, coordinates, kick, drift);
+}
+
+// By the lumped mass: v += kick M^-1 F, x += drift v.
+void CableSystem::Impl::kick_and_drift(SlotVectors& v, SlotVectors& x, double kick, double drift) {
   static const slot_kernel::Kernel kernel = choose_slot_kernel();
   slot_kernel::UpdateView view{};
   assembly.describe(view);
   view.element_forces = element_forces.data();
   view.inverse_mass = inverse_mass.data();
   view.applied = applied.arrays();
-  view.coordinates = coordinates.arrays();
-  view.velocities = velocities.arrays();
+  view.coordinates = x.arrays();
+  view.velocities = v.arrays();
   for_chunks(assembly.block_count(), [&](int, int first, int last) { kernel(view, first, last, kick, drift); });
 }
 
@@ -384,16 +400,40 @@ MaterialSpan CableSystem::Impl::span(std::size_t element) const {
   return variable != nullptr ? *variable : MaterialSpan{.length = elements[element].length};
 }
 
+void CableSystem::Impl::compute_states() {
+  element_states.resize(static_cast<std::size_t>(batch.block_count()) * kStateRows * kBlockSize);
+  batch.states(coordinates.arrays(), velocities.arrays(), element_states.data());
+}
+
+// Row `row` of the last compute_states.
+double CableSystem::Impl::element_state(std::size_t element, std::size_t row) const {
+  return element_states[(element / kBlockSize * kStateRows + row) * kBlockSize + element % kBlockSize];
+}
+
+// What an element's tension follows of a row: its own value or that of its pair.
+double CableSystem::Impl::resisted(std::size_t element, std::size_t row) const {
+  const std::int32_t mate = elements[element].mate;
+  const double own = element_state(element, row);
+  return mate < 0 ? own : paired_strain(own, element_state(static_cast<std::size_t>(mate), row));
+}
+
+double CableSystem::Impl::tension(std::size_t element) const {
+  const CableSection& section = elements[element].section;
+  const double strain = resisted(element, kStrain);
+  return section.axial_stiffness(strain) * (strain + section.axial_damping * resisted(element, kStrainRate));
+}
+
 double CableSystem::Impl::strain_energy() const {
   double energy = 0;
   for (std::size_t i = 0; i < elements.size(); ++i) {
-    const ElementCoordinates q = gather(coordinates, i);
     if (options.evaluation == ElementEvaluation::full) {
+      const ElementCoordinates q = gather(coordinates, i);
       const FullElement element(elements[i].section, span(i));
       energy += element.axial_energy(q) + element.bending_energy(q);
     } else {
-      const MeanStrainElement element(elements[i].section, span(i));
-      energy += element.axial_energy(q) + element.bending_energy(q);
+      const double strain = resisted(i, kStrain);
+      const double stiffness = elements[i].section.axial_stiffness(strain) * element_length[i];
+      energy += 0.5 * stiffness * strain * element_state(i, kStrain) + element_state(i, kBendingEnergy);
     }
   }
   for (const Hinge& hinge : model.hinges) {
@@ -407,7 +447,7 @@ double CableSystem::Impl::strain_energy() const {
 }
 
 // Of the velocities half a step on, where positions are.
-double CableSystem::Impl::kinetic_energy() const {
+double CableSystem::Impl::kinetic_energy() {
   const double half_kick = 0.5 * last_dt;
   double energy = 0;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -418,10 +458,10 @@ double CableSystem::Impl::kinetic_energy() const {
     for (std::int32_t slot = 0; slot < layout.size(); ++slot) velocity.row(slot) += velocities.get(slot).transpose();
     return energy + consistent_mass->kinetic_energy(velocity, mass);
   }
+  SlotVectors mean_velocity = velocities, unused = coordinates;
+  kick_and_drift(mean_velocity, unused, half_kick, 0);
   for (std::int32_t slot = 0; slot < layout.size(); ++slot) {
-    if (inverse_mass[slot] == 0) continue;
-    const Eigen::Vector3d velocity = velocities.get(slot) + half_kick * inverse_mass[slot] * slot_force(slot);
-    energy += 0.5 * mass[slot] * velocity.squaredNorm();
+    if (inverse_mass[slot] != 0) energy += 0.5 * mass[slot] * mean_velocity.get(slot).squaredNorm();
   }
   return energy;
 }
@@ -438,6 +478,7 @@ double CableSystem::Impl::load_work() const {
 
 EnergyAudit CableSystem::Impl::audit() {
   const double half_kick = 0.5 * last_dt;
+  compute_states();
   EnergyAudit result;
   result.kinetic = kinetic_energy();
   result.strain = strain_energy();
@@ -545,6 +586,7 @@ EnergyAudit CableSystem::audit() {
 EnergyAudit CableSystem::capture(Snapshot& snapshot) {
   Impl& s = *impl_;
   s.compute_forces(s.last_dt > 0 ? s.last_dt : 1e-4);
+  const EnergyAudit energies = s.audit();
   snapshot.time = s.time;
   snapshot.step = s.steps;
   snapshot.positions.resize(3, s.layout.node_count);
@@ -558,10 +600,8 @@ EnergyAudit CableSystem::capture(Snapshot& snapshot) {
   snapshot.tension.resize(static_cast<Eigen::Index>(s.elements.size()));
   snapshot.strain.resize(static_cast<Eigen::Index>(s.elements.size()));
   for (std::size_t i = 0; i < s.elements.size(); ++i) {
-    const MeanStrainElement element(s.elements[i].section, s.span(i));
-    const ElementCoordinates q = s.gather(s.coordinates, i);
-    snapshot.tension[static_cast<Eigen::Index>(i)] = element.tension(q, s.gather(s.velocities, i));
-    snapshot.strain[static_cast<Eigen::Index>(i)] = element.strain(q);
+    snapshot.tension[static_cast<Eigen::Index>(i)] = s.tension(i);
+    snapshot.strain[static_cast<Eigen::Index>(i)] = s.element_state(i, kStrain);
   }
   snapshot.rope_element_length.clear();
   for (std::int32_t rope = 0; rope < s.ropes.rope_count(); ++rope) {
@@ -570,7 +610,7 @@ EnergyAudit CableSystem::capture(Snapshot& snapshot) {
   snapshot.bodies.clear();
   for (const DynamicBody& body : s.bodies) snapshot.bodies.push_back(body.state());
   snapshot.contacts = s.contacts.contacts();
-  return s.audit();
+  return energies;
 }
 
 }  // namespace netpocket

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "engine/dynamics/simulation.h"
-#include "engine/recording/recorder.h"
+#include "engine/recording/background_recorder.h"
 #include "engine/scenario/closing_law.h"
 #include "engine/scenario/pocket_outline.h"
 #include "engine/scenario/write_scenario.h"
@@ -33,7 +33,7 @@ class FrameTimes {
 };
 
 // Records frame by frame and returns how it ended.
-RunStatus record_frames(Simulation& simulation, Recorder& recorder, const RunCallback& after_frame,
+RunStatus record_frames(Simulation& simulation, BackgroundRecorder& recorder, const RunCallback& after_frame,
                         const std::stop_token& stop) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
@@ -49,7 +49,7 @@ RunStatus record_frames(Simulation& simulation, Recorder& recorder, const RunCal
 }
 
 // A storage failure must not hide how the run ended.
-void finish(Recorder& recorder, RunResult& result) {
+void finish(BackgroundRecorder& recorder, RunResult& result) {
   try {
     recorder.finish(result.status, result.statistics);
   } catch (const RecordingError& error) {
@@ -78,7 +78,7 @@ RunOrigin run_origin(const Scenario& scenario, const RunOptions& options) {
 RunResult run_to_recording(const Scenario& scenario, const std::string& path, const RunOptions& options,
                            const RunCallback& after_frame, const std::stop_token& stop) {
   Simulation simulation(scenario, {options.threads});
-  Recorder recorder(path, run_origin(scenario, options), simulation.structure(), options.overwrite);
+  BackgroundRecorder recorder(path, run_origin(scenario, options), simulation.structure(), options.overwrite);
   recorder.write(simulation.snapshot());
   RunResult result;
   try {
