@@ -136,6 +136,7 @@ struct CableSystem::Impl {
   double kinetic_energy();
   double load_work() const;
   EnergyAudit audit();
+  bool looks_sound() const;
 };
 
 CableSystem::Impl::Impl(const Model& source, const SystemOptions& opts)
@@ -507,9 +508,25 @@ StableStep CableSystem::stable_step() const {
   return find_stable_step(impl_->model, impl_->layout, now, impl_->inverse_mass, impl_->coordinates);
 }
 
+// Whether every number is finite and no slot moves so fast that an element's end could run away: cheap, errs on the
+// safe side.
+bool CableSystem::Impl::looks_sound() const {
+  double longest = 1;
+  for (const double length : element_length) longest = std::max(longest, length);
+  const double limit = kRunawaySpeed * kRunawaySpeed / (longest * longest);
+  bool sound = true;
+  for (std::int32_t slot = 0; slot < layout.size(); ++slot) {
+    const Eigen::Vector3d x = coordinates.get(slot), v = velocities.get(slot);
+    const double none = (x.x() - x.x()) + (x.y() - x.y()) + (x.z() - x.z());  // 0, or not a number
+    sound = sound && v.x() * v.x() + v.y() * v.y() + v.z() * v.z() + none < limit;
+  }
+  return sound;
+}
+
 std::optional<std::string> CableSystem::fault() const {
   const Impl& s = *impl_;
-  for (std::size_t i = 0; i < s.elements.size(); ++i) {
+  const std::size_t suspects = s.looks_sound() ? 0 : s.elements.size();
+  for (std::size_t i = 0; i < suspects; ++i) {
     for (int corner = 0; corner < 4; ++corner) {
       const std::int32_t slot = s.elements[i].slot[corner];
       const double speed = s.velocities.get(slot).norm() * (corner % 2 == 0 ? 1.0 : s.element_length[i]);
