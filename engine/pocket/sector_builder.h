@@ -35,8 +35,8 @@ struct Bow {
 
 class SectorBuilder {
  public:
-  // `pair`: elements of a side share their axial strain two by two (ancf/strain_pair.h), where the material carries
-  // full compression. Adds to `model`, which must not have nodes, gradients or elements yet.
+  // `pair`: elements of a side share their axial strain two by two (ancf/strain_pair.h), where they are equally long
+  // and the material carries full compression. Adds to `model`, which must not have nodes, gradients or elements yet.
   SectorBuilder(Model& model, int sectors, bool pair) : model_(model), sectors_(sectors), pair_(pair) {}
 
   int sectors() const { return sectors_; }
