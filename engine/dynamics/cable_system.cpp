@@ -1,47 +1,18 @@
 #include "engine/dynamics/cable_system.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "engine/ancf/full_element.h"
-#include "engine/ancf/instruction_set.h"
 #include "engine/ancf/mass.h"
-#include "engine/ancf/strain_pair.h"
-#include "engine/bodies/sector_sum.h"
-#include "engine/dynamics/assembly.h"
-#include "engine/dynamics/consistent_mass.h"
-#include "engine/dynamics/contact_solver.h"
-#include "engine/dynamics/hinge_forces.h"
-#include "engine/dynamics/rope_dynamics.h"
+#include "engine/dynamics/cable_system_impl.h"
 
 namespace netpocket {
 namespace {
 
-// Rows of ElementBatch::states.
-constexpr std::size_t kStrain = 0, kStrainRate = 1, kBendingEnergy = 2;
-
-// Blocks that one task computes. Fixed, so that sums over tasks do not depend on the number of threads.
-constexpr int kChunk = 128;
-// Below this number of elements a second thread costs more than it gives.
-constexpr std::size_t kFewestElementsForThreads = 10000;
 // Speeds beyond this (m/s) are a failure of the integration, not a motion.
 constexpr double kRunawaySpeed = 1e4;
-
-slot_kernel::Kernel choose_slot_kernel() {
-  switch (instruction_set()) {
-    case InstructionSet::avx512:
-      return slot_kernel::avx512::update;
-    case InstructionSet::avx2:
-      return slot_kernel::avx2::update;
-    case InstructionSet::baseline:
-      break;
-  }
-  return slot_kernel::baseline::update;
-}
 
 std::vector<BatchElement> batch_elements(const Model& model, const SlotLayout& layout, ElementEvaluation evaluation) {
   std::vector<BatchElement> elements;
@@ -61,83 +32,6 @@ std::vector<BatchElement> batch_elements(const Model& model, const SlotLayout& l
 }
 
 }  // namespace
-
-struct CableSystem::Impl {
-  Impl(const Model& model, const SystemOptions& options);
-
-  // State at step n (positions) and n - 1/2 (velocities).
-  Model model;
-  SystemOptions options;
-  tbb::task_arena arena;
-  SlotLayout layout;
-  SlotVectors coordinates, velocities;
-  double time = 0;
-  double last_dt = 0;
-  std::int64_t steps = 0;
-
-  // Elements and masses.
-  std::vector<BatchElement> elements;
-  ElementBatch batch;
-  Assembly assembly;
-  std::vector<double> constant_mass;  // by slot, without ropes
-  std::vector<double> mass;           // by slot
-  AlignedVector<double> inverse_mass;
-  std::vector<double> element_length;
-  std::optional<ConsistentMass> consistent_mass;
-
-  // Parts.
-  std::vector<DynamicBody> bodies;
-  std::vector<BodyControl> controls;
-  RopeDynamics ropes;
-  ContactSolver contacts;
-
-  // Forces of the present state.
-  AlignedVector<double> element_forces;
-  AlignedVector<double> element_states;    // of the last audit
-  SlotVectors applied;                     // all but element forces
-  SlotVectors constant_load;               // gravity and loads
-  std::vector<std::int32_t> loaded_slots;  // where `applied` may differ from `constant_load`
-  std::vector<Wrench> wrenches;            // by body
-  BatchPower element_power;
-  double hinge_power = 0;
-  std::vector<BatchPower> chunk_power;
-
-  // Accounts since the start.
-  double input_work = 0, dissipated = 0, initial_energy = 0, initial_load_work = 0;
-  std::vector<Eigen::Vector3d> impulses;
-  double deepest_penetration = 0;
-
-  void set_initial_state();
-  void collect_mass();
-  void update_ropes();
-  bool moves(std::int32_t slot) const;
-  void set_constant_loads();
-  template <typename Function>
-  void for_chunks(int blocks, const Function& function);
-  void compute_element_forces();
-  void compute_full_forces();
-  void clear_applied();
-  void add_hinges();
-  void compute_forces(double dt);
-  void move_slots(double kick, double drift);
-  void kick_and_drift(SlotVectors& v, SlotVectors& x, double kick, double drift);
-  void step(double dt);
-  Eigen::Vector3d slot_force(std::int32_t slot) const {
-    return assembly.element_force(slot, element_forces.data()) + applied.get(slot);
-  }
-  Eigen::MatrixX3d all_slot_forces() const;
-  ElementCoordinates gather(const SlotVectors& vectors, std::size_t element) const;
-  MaterialSpan span(std::size_t element) const;
-  void compute_states();
-  double element_state(std::size_t element, std::size_t row) const;
-  double resisted(std::size_t element, std::size_t row) const;
-  double tension(std::size_t element) const;
-  double strain_energy() const;
-  double kinetic_energy();
-  double load_work() const;
-  EnergyAudit audit();
-  bool looks_sound() const;
-};
 
 CableSystem::Impl::Impl(const Model& source, const SystemOptions& opts)
     : model(source),
@@ -241,155 +135,6 @@ void CableSystem::Impl::set_constant_loads() {
   applied = constant_load;
 }
 
-template <typename Function>
-void CableSystem::Impl::for_chunks(int blocks, const Function& function) {
-  const int chunks = (blocks + kChunk - 1) / kChunk;
-  const auto run = [&](int chunk) { function(chunk, chunk * kChunk, std::min(blocks, (chunk + 1) * kChunk)); };
-  if (options.threads > 1 && elements.size() >= kFewestElementsForThreads) {
-    arena.execute([&] { tbb::parallel_for(0, chunks, run, tbb::static_partitioner()); });
-  } else {
-    for (int chunk = 0; chunk < chunks; ++chunk) run(chunk);
-  }
-}
-
-void CableSystem::Impl::compute_element_forces() {
-  if (options.evaluation == ElementEvaluation::full) {
-    compute_full_forces();
-    return;
-  }
-  chunk_power.resize((batch.block_count() + kChunk - 1) / kChunk);
-  for_chunks(batch.block_count(), [&](int chunk, int first, int last) {
-    chunk_power[chunk] = batch.forces(first, last, coordinates.arrays(), velocities.arrays(), element_forces.data());
-  });
-  element_power = {};
-  for (const BatchPower& power : chunk_power) {
-    element_power.dissipated += power.dissipated;
-    element_power.fed += power.fed;
-  }
-}
-
-void CableSystem::Impl::compute_full_forces() {
-  element_power = {};
-  for (std::size_t i = 0; i < elements.size(); ++i) {
-    const FullElement element(elements[i].section, span(i));
-    const ElementCoordinates q = gather(coordinates, i), velocity = gather(velocities, i);
-    const ElementCoordinates force = element.internal_force(q, velocity);
-    double* rows = element_forces.data() + i / kBlockSize * kForceRows * kBlockSize + i % kBlockSize;
-    const int columns[3] = {0, 1, 3};  // the force on r2 is minus that on r1
-    for (int part = 0; part < 3; ++part) {
-      for (int axis = 0; axis < 3; ++axis) rows[(3 * part + axis) * kBlockSize] = force(axis, columns[part]);
-    }
-    element_power.dissipated += element.dissipated_power(q, velocity);
-    element_power.fed += element.feeding_power(q, velocity);
-  }
-}
-
-void CableSystem::Impl::clear_applied() {
-  for (const std::int32_t slot : loaded_slots) applied.set(slot, constant_load.get(slot));
-  loaded_slots.clear();
-  for (Wrench& wrench : wrenches) wrench = Wrench{};
-}
-
-void CableSystem::Impl::add_hinges() {
-  hinge_power = 0;
-  std::vector<SectorSum<Eigen::Vector3d>> torque(bodies.size(), SectorSum<Eigen::Vector3d>(Eigen::Vector3d::Zero()));
-  for (std::size_t i = 0; i < model.hinges.size(); ++i) {
-    const Hinge& hinge = model.hinges[i];
-    const std::int32_t g1 = layout.gradient(hinge.gradient1), g2 = layout.gradient(hinge.gradient2);
-    const bool on_body = hinge.body >= 0;
-    const HingeForces forces =
-        hinge_forces(hinge, coordinates.get(g1), coordinates.get(g2), velocities.get(g1), velocities.get(g2),
-                     on_body ? bodies[hinge.body].rigid().rotation() : Eigen::Matrix3d::Identity(),
-                     on_body ? bodies[hinge.body].rigid().angular_velocity() : Eigen::Vector3d::Zero());
-    applied.add(g1, forces.on_gradient1);
-    applied.add(g2, forces.on_gradient2);
-    loaded_slots.insert(loaded_slots.end(), {g1, g2});
-    if (on_body) torque[hinge.body].add(static_cast<int>(i), forces.torque_on_body);
-    hinge_power += forces.dissipated_power;
-  }
-  for (std::size_t b = 0; b < bodies.size(); ++b) wrenches[b].torque += torque[b].total();
-}
-
-void CableSystem::Impl::compute_forces(double dt) {
-  update_ropes();
-  compute_element_forces();
-  clear_applied();
-  add_hinges();
-  if (!ropes.empty()) {
-    ropes.add_flow_forces(coordinates, velocities, applied);
-    loaded_slots.insert(loaded_slots.end(), ropes.massive_slots().begin(), ropes.massive_slots().end());
-  }
-  contacts.add_forces(
-      coordinates, velocities, inverse_mass, element_length, bodies, dt,
-      [this](std::int32_t slot) { return slot_force(slot); }, applied, wrenches);
-  loaded_slots.insert(loaded_slots.end(), contacts.touched_slots().begin(), contacts.touched_slots().end());
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    SectorSum<Eigen::Vector3d> force(Eigen::Vector3d::Zero()), torque(Eigen::Vector3d::Zero());
-    for (const DynamicBody::Attachment& attachment : bodies[b].attachments()) {
-      const Wrench wrench = bodies[b].attachment_wrench(attachment, slot_force(attachment.slot));
-      force.add(attachment.slot, wrench.force);
-      torque.add(attachment.slot, wrench.torque);
-    }
-    wrenches[b] += Wrench{force.total(), torque.total()};
-    wrenches[b].force += model.bodies[b].mass * model.gravity;
-    wrenches[b].torque +=
-        (bodies[b].centre() - bodies[b].rigid().position()).cross(model.bodies[b].mass * model.gravity);
-  }
-}
-
-Eigen::MatrixX3d CableSystem::Impl::all_slot_forces() const {
-  Eigen::MatrixX3d force(layout.size(), 3);
-  for (std::int32_t slot = 0; slot < layout.size(); ++slot) force.row(slot) = slot_force(slot).transpose();
-  return force;
-}
-
-void CableSystem::Impl::move_slots(double kick, double drift) {
-  if (consistent_mass) {
-    const Eigen::MatrixX3d acceleration = consistent_mass->solve(all_slot_forces(), mass);
-    for (std::int32_t slot = 0; slot < layout.size(); ++slot) {
-      if (inverse_mass[slot] == 0) continue;
-      velocities.add(slot, kick * acceleration.row(slot).transpose());
-      coordinates.add(slot, drift * velocities.get(slot));
-    }
-    return;
-  }
-  kick_and_drift(velocities, coordinates, kick, drift);
-}
-
-// By the lumped mass: v += kick M^-1 F, x += drift v.
-void CableSystem::Impl::kick_and_drift(SlotVectors& v, SlotVectors& x, double kick, double drift) {
-  static const slot_kernel::Kernel kernel = choose_slot_kernel();
-  slot_kernel::UpdateView view{};
-  assembly.describe(view);
-  view.element_forces = element_forces.data();
-  view.inverse_mass = inverse_mass.data();
-  view.applied = applied.arrays();
-  view.coordinates = x.arrays();
-  view.velocities = v.arrays();
-  for_chunks(assembly.block_count(), [&](int, int first, int last) { kernel(view, first, last, kick, drift); });
-}
-
-void CableSystem::Impl::step(double dt) {
-  compute_forces(dt);
-  // Velocities stand half a step of the previous size before the positions; at the start they stand with them.
-  const double kick = 0.5 * (last_dt + dt);
-  const double power_before = contacts.dissipated_power(velocities, bodies);
-  input_work += kick * element_power.fed;
-  dissipated += kick * (element_power.dissipated + hinge_power);
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    impulses[b] += kick * contacts.force_on(static_cast<std::int32_t>(b));
-  }
-  deepest_penetration = std::max(deepest_penetration, contacts.deepest_penetration());
-
-  move_slots(kick, dt);
-  for (std::size_t b = 0; b < bodies.size(); ++b) input_work += bodies[b].step(wrenches[b], controls[b], kick, dt);
-  dissipated += 0.5 * kick * (power_before + contacts.dissipated_power(velocities, bodies));
-  for (DynamicBody& body : bodies) body.move_attachments(coordinates, velocities);
-  time += dt;
-  last_dt = dt;
-  ++steps;
-}
-
 ElementCoordinates CableSystem::Impl::gather(const SlotVectors& vectors, std::size_t element) const {
   ElementCoordinates q;
   for (int corner = 0; corner < 4; ++corner) q.col(corner) = vectors.get(elements[element].slot[corner]);
@@ -399,95 +144,6 @@ ElementCoordinates CableSystem::Impl::gather(const SlotVectors& vectors, std::si
 MaterialSpan CableSystem::Impl::span(std::size_t element) const {
   const MaterialSpan* variable = ropes.span_of(static_cast<std::int32_t>(element));
   return variable != nullptr ? *variable : MaterialSpan{.length = elements[element].length};
-}
-
-void CableSystem::Impl::compute_states() {
-  element_states.resize(static_cast<std::size_t>(batch.block_count()) * kStateRows * kBlockSize);
-  batch.states(coordinates.arrays(), velocities.arrays(), element_states.data());
-}
-
-// Row `row` of the last compute_states.
-double CableSystem::Impl::element_state(std::size_t element, std::size_t row) const {
-  return element_states[(element / kBlockSize * kStateRows + row) * kBlockSize + element % kBlockSize];
-}
-
-// What an element's tension follows of a row: its own value or that of its pair.
-double CableSystem::Impl::resisted(std::size_t element, std::size_t row) const {
-  const std::int32_t mate = elements[element].mate;
-  const double own = element_state(element, row);
-  return mate < 0 ? own : paired_strain(own, element_state(static_cast<std::size_t>(mate), row));
-}
-
-double CableSystem::Impl::tension(std::size_t element) const {
-  const CableSection& section = elements[element].section;
-  const double strain = resisted(element, kStrain);
-  return section.axial_stiffness(strain) * (strain + section.axial_damping * resisted(element, kStrainRate));
-}
-
-double CableSystem::Impl::strain_energy() const {
-  double energy = 0;
-  for (std::size_t i = 0; i < elements.size(); ++i) {
-    if (options.evaluation == ElementEvaluation::full) {
-      const ElementCoordinates q = gather(coordinates, i);
-      const FullElement element(elements[i].section, span(i));
-      energy += element.axial_energy(q) + element.bending_energy(q);
-    } else {
-      const double strain = resisted(i, kStrain);
-      const double stiffness = elements[i].section.axial_stiffness(strain) * element_length[i];
-      energy += 0.5 * stiffness * strain * element_state(i, kStrain) + element_state(i, kBendingEnergy);
-    }
-  }
-  for (const Hinge& hinge : model.hinges) {
-    const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
-    energy += hinge_forces(hinge, coordinates.get(layout.gradient(hinge.gradient1)),
-                           coordinates.get(layout.gradient(hinge.gradient2)), zero, zero,
-                           hinge.body >= 0 ? bodies[hinge.body].rigid().rotation() : Eigen::Matrix3d::Identity(), zero)
-                  .energy;
-  }
-  return energy;
-}
-
-// Of the velocities half a step on, where positions are.
-double CableSystem::Impl::kinetic_energy() {
-  const double half_kick = 0.5 * last_dt;
-  double energy = 0;
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    energy += bodies[b].kinetic_energy_after(wrenches[b], controls[b], half_kick);
-  }
-  if (consistent_mass) {
-    Eigen::MatrixX3d velocity = consistent_mass->solve(all_slot_forces(), mass) * half_kick;
-    for (std::int32_t slot = 0; slot < layout.size(); ++slot) velocity.row(slot) += velocities.get(slot).transpose();
-    return energy + consistent_mass->kinetic_energy(velocity, mass);
-  }
-  SlotVectors mean_velocity = velocities, unused = coordinates;
-  kick_and_drift(mean_velocity, unused, half_kick, 0);
-  for (std::int32_t slot = 0; slot < layout.size(); ++slot) {
-    if (inverse_mass[slot] != 0) energy += 0.5 * mass[slot] * mean_velocity.get(slot).squaredNorm();
-  }
-  return energy;
-}
-
-// Work of gravity and constant loads up to an additive constant.
-double CableSystem::Impl::load_work() const {
-  double work = 0;
-  for (std::int32_t slot = 0; slot < layout.size(); ++slot) work += constant_load.get(slot).dot(coordinates.get(slot));
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    work += model.bodies[b].mass * model.gravity.dot(bodies[b].centre());
-  }
-  return work;
-}
-
-EnergyAudit CableSystem::Impl::audit() {
-  const double half_kick = 0.5 * last_dt;
-  compute_states();
-  EnergyAudit result;
-  result.kinetic = kinetic_energy();
-  result.strain = strain_energy();
-  result.dissipated =
-      dissipated + half_kick * (element_power.dissipated + hinge_power + contacts.dissipated_power(velocities, bodies));
-  result.input = input_work + half_kick * element_power.fed + load_work() - initial_load_work;
-  result.error = result.kinetic + result.strain + result.dissipated - result.input - initial_energy;
-  return result;
 }
 
 CableSystem::CableSystem(const Model& model, const SystemOptions& options)
@@ -593,41 +249,6 @@ void CableSystem::visit_state(const std::function<void(double&)>& visit) {
   }
   s.steps = static_cast<std::int64_t>(steps);
   s.contacts.forget_candidates();
-}
-
-EnergyAudit CableSystem::audit() {
-  impl_->compute_forces(impl_->last_dt > 0 ? impl_->last_dt : 1e-4);
-  return impl_->audit();
-}
-
-EnergyAudit CableSystem::capture(Snapshot& snapshot) {
-  Impl& s = *impl_;
-  s.compute_forces(s.last_dt > 0 ? s.last_dt : 1e-4);
-  const EnergyAudit energies = s.audit();
-  snapshot.time = s.time;
-  snapshot.step = s.steps;
-  snapshot.positions.resize(3, s.layout.node_count);
-  snapshot.velocities.resize(3, s.layout.node_count);
-  snapshot.gradients.resize(3, s.layout.gradient_count);
-  for (std::int32_t i = 0; i < s.layout.node_count; ++i) {
-    snapshot.positions.col(i) = position(i);
-    snapshot.velocities.col(i) = velocity(i);
-  }
-  for (std::int32_t i = 0; i < s.layout.gradient_count; ++i) snapshot.gradients.col(i) = gradient(i);
-  snapshot.tension.resize(static_cast<Eigen::Index>(s.elements.size()));
-  snapshot.strain.resize(static_cast<Eigen::Index>(s.elements.size()));
-  for (std::size_t i = 0; i < s.elements.size(); ++i) {
-    snapshot.tension[static_cast<Eigen::Index>(i)] = s.tension(i);
-    snapshot.strain[static_cast<Eigen::Index>(i)] = s.element_state(i, kStrain);
-  }
-  snapshot.rope_element_length.clear();
-  for (std::int32_t rope = 0; rope < s.ropes.rope_count(); ++rope) {
-    snapshot.rope_element_length.push_back(s.ropes.element_length(rope));
-  }
-  snapshot.bodies.clear();
-  for (const DynamicBody& body : s.bodies) snapshot.bodies.push_back(body.state());
-  snapshot.contacts = s.contacts.contacts();
-  return energies;
 }
 
 }  // namespace netpocket
