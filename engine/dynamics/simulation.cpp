@@ -133,8 +133,10 @@ struct Simulation::Impl {
     if (length_class != rope_step_class) {
       rope_step_class = length_class;
       const std::int32_t element = pocket.model.ropes.front().elements.front();
-      rope_step_value =
-          stable_step_of_lumped_element(pocket.model.material_of(element).section, std::pow(kRatio, length_class));
+      const bool paired = std::ranges::all_of(pocket.model.ropes.front().elements,
+                                              [&](std::int32_t i) { return pocket.model.elements[i].mate >= 0; });
+      rope_step_value = stable_step_of_lumped_element(pocket.model.material_of(element).section,
+                                                      std::pow(kRatio, length_class), paired);
     }
     return rope_step_value;
   }

@@ -58,6 +58,10 @@ struct ModelElement {
   std::int32_t material;
   ElementKind kind = ElementKind::cable;
   std::int32_t thread = 0;
+  // The next or previous element of its thread with which it shares its axial strain (ancf/strain_pair.h): of the same
+  // length and material, whose compression is full, and with this one as its mate; -1: none. The full evaluation has
+  // none.
+  std::int32_t mate = -1;
 };
 
 struct ModelBody {
@@ -96,6 +100,8 @@ struct RopeMotion {
   double length;        // m, material between the retractors
   double rate;          // m/s
   double acceleration;  // m/s^2
+
+  bool operator==(const RopeMotion&) const = default;
 };
 
 // A chain of elements whose material is wound in (or let out) by retractors at its end nodes. Its inner nodes stay
@@ -122,6 +128,8 @@ struct Model {
   std::int32_t add_gradient(std::int32_t node, const Eigen::Vector3d& value);
   std::int32_t add_material(const CableMaterial& material);
   std::int32_t add_element(const ModelElement& element);
+  // Makes two elements each other's mate.
+  void pair(std::int32_t first, std::int32_t second);
   std::int32_t add_thread(const std::string& name);
   std::int32_t add_body(const ModelBody& body);
 

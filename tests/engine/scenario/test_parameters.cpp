@@ -101,8 +101,8 @@ TEST(ParameterTable, DeclaresEveryMember) {
     EXPECT_EQ(count("towing"), 5u);
   }
   {
-    [[maybe_unused]] const auto& [a, b, c, e, f, g] = solver;
-    EXPECT_EQ(count("solver"), 6u);
+    [[maybe_unused]] const auto& [a, b, c, e, f, g, h] = solver;
+    EXPECT_EQ(count("solver"), 7u);
   }
   {
     [[maybe_unused]] const auto& [a, b] = output;
