@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/ancf/full_batch.h"
 #include "engine/ancf/full_element.h"
 #include "engine/ancf/instruction_set.h"
 #include "engine/ancf/mass.h"
@@ -16,6 +17,7 @@
 #include "engine/dynamics/consistent_mass.h"
 #include "engine/dynamics/contact_solver.h"
 #include "engine/dynamics/hinge_forces.h"
+#include "engine/dynamics/rod_wrinkling.h"
 #include "engine/dynamics/rope_dynamics.h"
 
 namespace netpocket {
@@ -78,17 +80,21 @@ struct CableSystem::Impl {
   // Elements and masses.
   std::vector<BatchElement> elements;
   ElementBatch batch;
+  FullBatch full_batch;
   Assembly assembly;
   std::vector<double> constant_mass;  // by slot, without ropes
   std::vector<double> mass;           // by slot
   AlignedVector<double> inverse_mass;
   std::vector<double> element_length;
   std::optional<ConsistentMass> consistent_mass;
+  AlignedVector<double> unit_mass;
+  SlotVectors accelerations;  // by the consistent mass
 
   // Parts.
   std::vector<DynamicBody> bodies;
   std::vector<BodyControl> controls;
   RopeDynamics ropes;
+  RodWrinkling wrinkling;
   ContactSolver contacts;
 
   // Forces of the present state.
@@ -115,17 +121,17 @@ struct CableSystem::Impl {
   template <typename Function>
   void for_chunks(int blocks, const Function& function);
   void compute_element_forces();
-  void compute_full_forces();
   void clear_applied();
   void add_hinges();
   void compute_forces(double dt);
+  void kick_and_drift(SlotVectors& v, SlotVectors& x, const AlignedVector<double>& inverse_masses, double kick,
+                      double drift);
+  void compute_accelerations();
   void move_slots(double kick, double drift);
-  void kick_and_drift(SlotVectors& v, SlotVectors& x, double kick, double drift);
   void step(double dt);
   Eigen::Vector3d slot_force(std::int32_t slot) const {
     return assembly.element_force(slot, element_forces.data()) + applied.get(slot);
   }
-  Eigen::MatrixX3d all_slot_forces() const;
   ElementCoordinates gather(const SlotVectors& vectors, std::size_t element) const;
   MaterialSpan span(std::size_t element) const;
   void compute_states();
@@ -148,11 +154,13 @@ CableSystem::Impl::Impl(const Model& source, const SystemOptions& opts)
       velocities(layout.size()),
       elements(batch_elements(model, layout, opts.evaluation)),
       batch(elements),
+      full_batch(batch.block_count()),
       assembly(elements, layout.size()),
       constant_mass(layout.size(), 0.0),
       mass(layout.size(), 0.0),
       inverse_mass(layout.size(), 0.0),
       ropes(model, layout),
+      wrinkling(model, elements),
       contacts(model, layout, mass),
       element_forces(static_cast<std::size_t>(batch.block_count()) * kForceRows * kBlockSize, 0.0),
       applied(layout.size()),
@@ -170,6 +178,7 @@ CableSystem::Impl::Impl(const Model& source, const SystemOptions& opts)
   set_constant_loads();
   if (options.evaluation == ElementEvaluation::full) {
     consistent_mass.emplace(model, layout, mass, ropes.massive_slots());
+    unit_mass.assign(layout.size(), 1.0);
   }
   initial_load_work = load_work();
   compute_forces(1e-4);
@@ -223,7 +232,10 @@ void CableSystem::Impl::update_ropes() {
     if (inverse_mass[slot] != 0) inverse_mass[slot] = 1 / mass[slot];
   }
   for (std::int32_t rope = 0; rope < ropes.rope_count(); ++rope) {
-    for (const std::int32_t element : model.ropes[rope].elements) element_length[element] = ropes.element_length(rope);
+    for (const std::int32_t element : model.ropes[rope].elements) {
+      element_length[element] = ropes.element_length(rope);
+      full_batch.set_start_rate(element, ropes.span_of(element)->start_rate);
+    }
   }
 }
 
@@ -253,34 +265,17 @@ void CableSystem::Impl::for_chunks(int blocks, const Function& function) {
 }
 
 void CableSystem::Impl::compute_element_forces() {
-  if (options.evaluation == ElementEvaluation::full) {
-    compute_full_forces();
-    return;
-  }
+  const bool full = options.evaluation == ElementEvaluation::full;
   chunk_power.resize((batch.block_count() + kChunk - 1) / kChunk);
   for_chunks(batch.block_count(), [&](int chunk, int first, int last) {
-    chunk_power[chunk] = batch.forces(first, last, coordinates.arrays(), velocities.arrays(), element_forces.data());
+    const SlotArrays q = coordinates.arrays(), velocity = velocities.arrays();
+    chunk_power[chunk] = full ? full_batch.forces(batch, first, last, q, velocity, element_forces.data())
+                              : batch.forces(first, last, q, velocity, element_forces.data());
   });
   element_power = {};
   for (const BatchPower& power : chunk_power) {
     element_power.dissipated += power.dissipated;
     element_power.fed += power.fed;
-  }
-}
-
-void CableSystem::Impl::compute_full_forces() {
-  element_power = {};
-  for (std::size_t i = 0; i < elements.size(); ++i) {
-    const FullElement element(elements[i].section, span(i));
-    const ElementCoordinates q = gather(coordinates, i), velocity = gather(velocities, i);
-    const ElementCoordinates force = element.internal_force(q, velocity);
-    double* rows = element_forces.data() + i / kBlockSize * kForceRows * kBlockSize + i % kBlockSize;
-    const int columns[3] = {0, 1, 3};  // the force on r2 is minus that on r1
-    for (int part = 0; part < 3; ++part) {
-      for (int axis = 0; axis < 3; ++axis) rows[(3 * part + axis) * kBlockSize] = force(axis, columns[part]);
-    }
-    element_power.dissipated += element.dissipated_power(q, velocity);
-    element_power.fed += element.feeding_power(q, velocity);
   }
 }
 
@@ -315,6 +310,7 @@ void CableSystem::Impl::compute_forces(double dt) {
   compute_element_forces();
   clear_applied();
   add_hinges();
+  wrinkling.add_forces(coordinates, applied, loaded_slots);
   if (!ropes.empty()) {
     ropes.add_flow_forces(coordinates, velocities, applied);
     loaded_slots.insert(loaded_slots.end(), ropes.massive_slots().begin(), ropes.massive_slots().end());
@@ -337,36 +333,43 @@ void CableSystem::Impl::compute_forces(double dt) {
   }
 }
 
-Eigen::MatrixX3d CableSystem::Impl::all_slot_forces() const {
-  Eigen::MatrixX3d force(layout.size(), 3);
-  for (std::int32_t slot = 0; slot < layout.size(); ++slot) force.row(slot) = slot_force(slot).transpose();
-  return force;
-}
-
-void CableSystem::Impl::move_slots(double kick, double drift) {
-  if (consistent_mass) {
-    const Eigen::MatrixX3d acceleration = consistent_mass->solve(all_slot_forces(), mass);
-    for (std::int32_t slot = 0; slot < layout.size(); ++slot) {
-      if (inverse_mass[slot] == 0) continue;
-      velocities.add(slot, kick * acceleration.row(slot).transpose());
-      coordinates.add(slot, drift * velocities.get(slot));
-    }
-    return;
-  }
-  kick_and_drift(velocities, coordinates, kick, drift);
-}
-
-// By the lumped mass: v += kick M^-1 F, x += drift v.
-void CableSystem::Impl::kick_and_drift(SlotVectors& v, SlotVectors& x, double kick, double drift) {
+// v += kick M^-1 F, x += drift v with a diagonal mass.
+void CableSystem::Impl::kick_and_drift(SlotVectors& v, SlotVectors& x, const AlignedVector<double>& inverse_masses,
+                                       double kick, double drift) {
   static const slot_kernel::Kernel kernel = choose_slot_kernel();
   slot_kernel::UpdateView view{};
   assembly.describe(view);
   view.element_forces = element_forces.data();
-  view.inverse_mass = inverse_mass.data();
+  view.inverse_mass = inverse_masses.data();
   view.applied = applied.arrays();
   view.coordinates = x.arrays();
   view.velocities = v.arrays();
   for_chunks(assembly.block_count(), [&](int, int first, int last) { kernel(view, first, last, kick, drift); });
+}
+
+// By the consistent mass. The forces are what a kick with unit masses adds to velocities that were zero.
+void CableSystem::Impl::compute_accelerations() {
+  accelerations = SlotVectors(layout.size());
+  kick_and_drift(accelerations, coordinates, unit_mass, 1, 0);
+  consistent_mass->solve(accelerations, mass);
+}
+
+void CableSystem::Impl::move_slots(double kick, double drift) {
+  if (!consistent_mass) {
+    kick_and_drift(velocities, coordinates, inverse_mass, kick, drift);
+    return;
+  }
+  compute_accelerations();
+  const SlotArrays acceleration = accelerations.arrays(), velocity = velocities.arrays(), q = coordinates.arrays();
+  const auto move = [&](double* coordinate, double* rate, const double* change) {
+    for (std::int32_t slot = 0; slot < layout.size(); ++slot) {
+      rate[slot] += kick * change[slot];
+      coordinate[slot] += drift * rate[slot];
+    }
+  };
+  move(q.x, velocity.x, acceleration.x);
+  move(q.y, velocity.y, acceleration.y);
+  move(q.z, velocity.z, acceleration.z);
 }
 
 void CableSystem::Impl::step(double dt) {
@@ -425,7 +428,7 @@ double CableSystem::Impl::tension(std::size_t element) const {
 }
 
 double CableSystem::Impl::strain_energy() const {
-  double energy = 0;
+  double energy = wrinkling.energy(coordinates);
   for (std::size_t i = 0; i < elements.size(); ++i) {
     if (options.evaluation == ElementEvaluation::full) {
       const ElementCoordinates q = gather(coordinates, i);
@@ -455,12 +458,15 @@ double CableSystem::Impl::kinetic_energy() {
     energy += bodies[b].kinetic_energy_after(wrenches[b], controls[b], half_kick);
   }
   if (consistent_mass) {
-    Eigen::MatrixX3d velocity = consistent_mass->solve(all_slot_forces(), mass) * half_kick;
-    for (std::int32_t slot = 0; slot < layout.size(); ++slot) velocity.row(slot) += velocities.get(slot).transpose();
+    compute_accelerations();
+    SlotVectors velocity(layout.size());
+    for (std::int32_t slot = 0; slot < layout.size(); ++slot) {
+      velocity.set(slot, velocities.get(slot) + half_kick * accelerations.get(slot));
+    }
     return energy + consistent_mass->kinetic_energy(velocity, mass);
   }
   SlotVectors mean_velocity = velocities, unused = coordinates;
-  kick_and_drift(mean_velocity, unused, half_kick, 0);
+  kick_and_drift(mean_velocity, unused, inverse_mass, half_kick, 0);
   for (std::int32_t slot = 0; slot < layout.size(); ++slot) {
     if (inverse_mass[slot] != 0) energy += 0.5 * mass[slot] * mean_velocity.get(slot).squaredNorm();
   }
@@ -560,6 +566,11 @@ void CableSystem::displace(std::int32_t node, const Eigen::Vector3d& displacemen
 }
 void CableSystem::control(std::int32_t body, const BodyControl& control) { impl_->controls[body] = control; }
 void CableSystem::set_rope_motion(const std::function<RopeMotion(double)>& motion) { impl_->ropes.set_motion(motion); }
+void CableSystem::set_wrinkling_moment(std::int32_t material, double moment) {
+  const double before = impl_->wrinkling.energy(impl_->coordinates);
+  impl_->wrinkling.set_moment(material, moment);
+  impl_->input_work += impl_->wrinkling.energy(impl_->coordinates) - before;
+}
 void CableSystem::set_friction(double coefficient) { impl_->contacts.set_friction(coefficient); }
 
 const Eigen::Vector3d& CableSystem::contact_impulse(std::int32_t body) const { return impl_->impulses[body]; }
