@@ -134,6 +134,7 @@ void ConsistentMass::factor(const Eigen::SparseMatrix<double>& matrix, const std
     throw std::invalid_argument("the mass matrix is singular: every free node and gradient must belong to an element");
   }
   const Eigen::SparseMatrix<double> lower = ldlt.matrixL();
+  const Eigen::VectorXd diagonal = ldlt.vectorD();
   const Eigen::Index columns = lower.cols() - last_count;
   column_begin_.push_back(0);
   for (Eigen::Index column = 0; column < columns; ++column) {
@@ -143,10 +144,11 @@ void ConsistentMass::factor(const Eigen::SparseMatrix<double>& matrix, const std
       value_.push_back(entry.value());
     }
     column_begin_.push_back(static_cast<std::int32_t>(row_.size()));
-    inverse_diagonal_.push_back(1 / ldlt.vectorD()[column]);
+    inverse_diagonal_.push_back(1 / diagonal[column]);
   }
-  const Eigen::MatrixXd corner = Eigen::MatrixXd(lower.bottomRightCorner(last_count, last_count));
-  last_matrix_ = corner * ldlt.vectorD().tail(last_count).asDiagonal() * corner.transpose();
+  const Eigen::MatrixXd corner =
+      Eigen::MatrixXd(lower.bottomRightCorner(last_count, last_count)).triangularView<Eigen::UnitLower>();
+  last_matrix_ = corner * diagonal.tail(last_count).asDiagonal() * corner.transpose();
 }
 
 // The rows that were not eliminated, with their present masses.

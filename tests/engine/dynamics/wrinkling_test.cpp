@@ -63,7 +63,7 @@ TEST_F(VerificationInflatedRod, DeflectionBeyondWrinkling) {
 }
 
 TEST_F(VerificationInflatedRod, EnergyOfAReleaseAndOfALossOfPressure) {
-  Cable cable = inflated_cantilever(2.8, 12);
+  Cable cable = inflated_cantilever(1.6, 12);
   cable.model.materials[0].section.bending_damping = 0;
   CableSystem system(cable.model);
   const double dt = 0.4 * system.stable_step().step;
@@ -73,10 +73,10 @@ TEST_F(VerificationInflatedRod, EnergyOfAReleaseAndOfALossOfPressure) {
   expect_below("inflated rod swinging beyond wrinkling: energy error / energy", std::abs(swinging.error) / scale, 1e-3,
                "no damping: leapfrog's bounded error; the softened law is a potential");
   const double before = system.position(cable.nodes.back()).y();
-  system.set_wrinkling_moment(0, 0.5 * kMoment);
+  system.set_wrinkling_moment(0, kMoment / 3);
   advance(system, 0.6, dt);
   const EnergyAudit sunk = system.audit();
-  expect_below("rod that loses half its pressure: energy error / energy", std::abs(sunk.error) / scale, 2e-2,
+  expect_below("rod that loses two thirds of its pressure: energy error / energy", std::abs(sunk.error) / scale, 2e-2,
                "the change of energy at the change of pressure is booked as work");
   EXPECT_GT(system.position(cable.nodes.back()).y(), before + 0.01) << "it cannot carry the load any more";
 }
