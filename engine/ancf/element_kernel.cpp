@@ -3,6 +3,7 @@
 
 #include "engine/ancf/element_kernel.h"
 
+#include "engine/ancf/element_slots.h"
 #include "engine/ancf/lanes.h"
 #include "engine/ancf/strain_pair.h"
 
@@ -13,23 +14,6 @@ using namespace lanes;
 
 // Guards 0/0 where a bending mode vanishes, as in mean_strain_element.h.
 constexpr double kVanishing = kBendingRoundOff * kBendingRoundOff;
-
-NETPOCKET_INLINE Lanes load_component(const double* array, const ElementBlock& block, int corner, int part) {
-  if (block.base[corner] >= 0) return load_rotated(array + block.base[corner], part, block.rotation[corner]);
-  return gather(array, block.slot[corner], part);
-}
-
-NETPOCKET_INLINE Lanes3 load_slot(const SlotArrays& arrays, const ElementBlock& block, int corner, int part) {
-  return {load_component(arrays.x, block, corner, part), load_component(arrays.y, block, corner, part),
-          load_component(arrays.z, block, corner, part)};
-}
-
-// `row`: the first of the three force rows of a corner.
-NETPOCKET_INLINE void store3(double* out, int row, int part, const Lanes3& value) {
-  store(out + row * kBlock, part, value.x);
-  store(out + (row + 1) * kBlock, part, value.y);
-  store(out + (row + 2) * kBlock, part, value.z);
-}
 
 // Powers (BatchPower) of each lane.
 struct PowerLanes {

@@ -42,11 +42,13 @@ CableSystem::Impl::Impl(const Model& source, const SystemOptions& opts)
       velocities(layout.size()),
       elements(batch_elements(model, layout, opts.evaluation)),
       batch(elements),
+      full_batch(batch.block_count()),
       assembly(elements, layout.size()),
       constant_mass(layout.size(), 0.0),
       mass(layout.size(), 0.0),
       inverse_mass(layout.size(), 0.0),
       ropes(model, layout),
+      wrinkling(model, elements),
       contacts(model, layout, mass),
       element_forces(static_cast<std::size_t>(batch.block_count()) * kForceRows * kBlockSize, 0.0),
       applied(layout.size()),
@@ -64,6 +66,7 @@ CableSystem::Impl::Impl(const Model& source, const SystemOptions& opts)
   set_constant_loads();
   if (options.evaluation == ElementEvaluation::full) {
     consistent_mass.emplace(model, layout, mass, ropes.massive_slots());
+    unit_mass.assign(layout.size(), 1.0);
   }
   initial_load_work = load_work();
   compute_forces(1e-4);
@@ -117,7 +120,10 @@ void CableSystem::Impl::update_ropes() {
     if (inverse_mass[slot] != 0) inverse_mass[slot] = 1 / mass[slot];
   }
   for (std::int32_t rope = 0; rope < ropes.rope_count(); ++rope) {
-    for (const std::int32_t element : model.ropes[rope].elements) element_length[element] = ropes.element_length(rope);
+    for (const std::int32_t element : model.ropes[rope].elements) {
+      element_length[element] = ropes.element_length(rope);
+      full_batch.set_start_rate(element, ropes.span_of(element)->start_rate);
+    }
   }
 }
 
@@ -217,6 +223,11 @@ void CableSystem::displace(std::int32_t node, const Eigen::Vector3d& displacemen
 }
 void CableSystem::control(std::int32_t body, const BodyControl& control) { impl_->controls[body] = control; }
 void CableSystem::set_rope_motion(const std::function<RopeMotion(double)>& motion) { impl_->ropes.set_motion(motion); }
+void CableSystem::set_wrinkling_moment(std::int32_t material, double moment) {
+  const double before = impl_->wrinkling.energy(impl_->coordinates);
+  impl_->wrinkling.set_moment(material, moment);
+  impl_->input_work += impl_->wrinkling.energy(impl_->coordinates) - before;
+}
 void CableSystem::set_friction(double coefficient) { impl_->contacts.set_friction(coefficient); }
 
 const Eigen::Vector3d& CableSystem::contact_impulse(std::int32_t body) const { return impl_->impulses[body]; }

@@ -35,7 +35,7 @@ double CableSystem::Impl::tension(std::size_t element) const {
 }
 
 double CableSystem::Impl::strain_energy() const {
-  double energy = 0;
+  double energy = wrinkling.energy(coordinates);
   for (std::size_t i = 0; i < elements.size(); ++i) {
     if (options.evaluation == ElementEvaluation::full) {
       const ElementCoordinates q = gather(coordinates, i);
@@ -65,12 +65,15 @@ double CableSystem::Impl::kinetic_energy() {
     energy += bodies[b].kinetic_energy_after(wrenches[b], controls[b], half_kick);
   }
   if (consistent_mass) {
-    Eigen::MatrixX3d velocity = consistent_mass->solve(all_slot_forces(), mass) * half_kick;
-    for (std::int32_t slot = 0; slot < layout.size(); ++slot) velocity.row(slot) += velocities.get(slot).transpose();
+    compute_accelerations();
+    SlotVectors velocity(layout.size());
+    for (std::int32_t slot = 0; slot < layout.size(); ++slot) {
+      velocity.set(slot, velocities.get(slot) + half_kick * accelerations.get(slot));
+    }
     return energy + consistent_mass->kinetic_energy(velocity, mass);
   }
   SlotVectors mean_velocity = velocities, unused = coordinates;
-  kick_and_drift(mean_velocity, unused, half_kick, 0);
+  kick_and_drift(mean_velocity, unused, inverse_mass, half_kick, 0);
   for (std::int32_t slot = 0; slot < layout.size(); ++slot) {
     if (inverse_mass[slot] != 0) energy += 0.5 * mass[slot] * mean_velocity.get(slot).squaredNorm();
   }

@@ -6,10 +6,12 @@
 
 #include <tbb/task_arena.h>
 
+#include "engine/ancf/full_batch.h"
 #include "engine/dynamics/assembly.h"
 #include "engine/dynamics/cable_system.h"
 #include "engine/dynamics/consistent_mass.h"
 #include "engine/dynamics/contact_solver.h"
+#include "engine/dynamics/rod_wrinkling.h"
 #include "engine/dynamics/rope_dynamics.h"
 
 namespace netpocket {
@@ -30,17 +32,21 @@ struct CableSystem::Impl {
   // Elements and masses.
   std::vector<BatchElement> elements;
   ElementBatch batch;
+  FullBatch full_batch;
   Assembly assembly;
   std::vector<double> constant_mass;  // by slot, without ropes
   std::vector<double> mass;           // by slot
   AlignedVector<double> inverse_mass;
   std::vector<double> element_length;
   std::optional<ConsistentMass> consistent_mass;
+  AlignedVector<double> unit_mass;
+  SlotVectors accelerations;  // by the consistent mass
 
   // Parts.
   std::vector<DynamicBody> bodies;
   std::vector<BodyControl> controls;
   RopeDynamics ropes;
+  RodWrinkling wrinkling;
   ContactSolver contacts;
 
   // Forces of the present state.
@@ -67,17 +73,17 @@ struct CableSystem::Impl {
   template <typename Function>
   void for_chunks(int blocks, const Function& function);
   void compute_element_forces();
-  void compute_full_forces();
   void clear_applied();
   void add_hinges();
   void compute_forces(double dt);
+  void kick_and_drift(SlotVectors& v, SlotVectors& x, const AlignedVector<double>& inverse_masses, double kick,
+                      double drift);
+  void compute_accelerations();
   void move_slots(double kick, double drift);
-  void kick_and_drift(SlotVectors& v, SlotVectors& x, double kick, double drift);
   void step(double dt);
   Eigen::Vector3d slot_force(std::int32_t slot) const {
     return assembly.element_force(slot, element_forces.data()) + applied.get(slot);
   }
-  Eigen::MatrixX3d all_slot_forces() const;
   std::string contact_of(std::int32_t element) const;
   ElementCoordinates gather(const SlotVectors& vectors, std::size_t element) const;
   MaterialSpan span(std::size_t element) const;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "engine/ancf/full_batch.h"
 #include "engine/ancf/full_element.h"
 #include "engine/ancf/instruction_set.h"
 #include "engine/bodies/sector_sum.h"
@@ -43,34 +44,17 @@ void CableSystem::Impl::for_chunks(int blocks, const Function& function) {
 }
 
 void CableSystem::Impl::compute_element_forces() {
-  if (options.evaluation == ElementEvaluation::full) {
-    compute_full_forces();
-    return;
-  }
+  const bool full = options.evaluation == ElementEvaluation::full;
   chunk_power.resize((batch.block_count() + kChunk - 1) / kChunk);
   for_chunks(batch.block_count(), [&](int chunk, int first, int last) {
-    chunk_power[chunk] = batch.forces(first, last, coordinates.arrays(), velocities.arrays(), element_forces.data());
+    const SlotArrays q = coordinates.arrays(), velocity = velocities.arrays();
+    chunk_power[chunk] = full ? full_batch.forces(batch, first, last, q, velocity, element_forces.data())
+                              : batch.forces(first, last, q, velocity, element_forces.data());
   });
   element_power = {};
   for (const BatchPower& power : chunk_power) {
     element_power.dissipated += power.dissipated;
     element_power.fed += power.fed;
-  }
-}
-
-void CableSystem::Impl::compute_full_forces() {
-  element_power = {};
-  for (std::size_t i = 0; i < elements.size(); ++i) {
-    const FullElement element(elements[i].section, span(i));
-    const ElementCoordinates q = gather(coordinates, i), velocity = gather(velocities, i);
-    const ElementCoordinates force = element.internal_force(q, velocity);
-    double* rows = element_forces.data() + i / kBlockSize * kForceRows * kBlockSize + i % kBlockSize;
-    const int columns[3] = {0, 1, 3};  // the force on r2 is minus that on r1
-    for (int part = 0; part < 3; ++part) {
-      for (int axis = 0; axis < 3; ++axis) rows[(3 * part + axis) * kBlockSize] = force(axis, columns[part]);
-    }
-    element_power.dissipated += element.dissipated_power(q, velocity);
-    element_power.fed += element.feeding_power(q, velocity);
   }
 }
 
@@ -105,6 +89,7 @@ void CableSystem::Impl::compute_forces(double dt) {
   compute_element_forces();
   clear_applied();
   add_hinges();
+  wrinkling.add_forces(coordinates, applied, loaded_slots);
   if (!ropes.empty()) {
     ropes.add_flow_forces(coordinates, velocities, applied);
     loaded_slots.insert(loaded_slots.end(), ropes.massive_slots().begin(), ropes.massive_slots().end());
@@ -135,36 +120,43 @@ std::string CableSystem::Impl::contact_of(std::int32_t element) const {
   return ", without contact,";
 }
 
-Eigen::MatrixX3d CableSystem::Impl::all_slot_forces() const {
-  Eigen::MatrixX3d force(layout.size(), 3);
-  for (std::int32_t slot = 0; slot < layout.size(); ++slot) force.row(slot) = slot_force(slot).transpose();
-  return force;
-}
-
-void CableSystem::Impl::move_slots(double kick, double drift) {
-  if (consistent_mass) {
-    const Eigen::MatrixX3d acceleration = consistent_mass->solve(all_slot_forces(), mass);
-    for (std::int32_t slot = 0; slot < layout.size(); ++slot) {
-      if (inverse_mass[slot] == 0) continue;
-      velocities.add(slot, kick * acceleration.row(slot).transpose());
-      coordinates.add(slot, drift * velocities.get(slot));
-    }
-    return;
-  }
-  kick_and_drift(velocities, coordinates, kick, drift);
-}
-
-// By the lumped mass: v += kick M^-1 F, x += drift v.
-void CableSystem::Impl::kick_and_drift(SlotVectors& v, SlotVectors& x, double kick, double drift) {
+// v += kick M^-1 F, x += drift v with a diagonal mass.
+void CableSystem::Impl::kick_and_drift(SlotVectors& v, SlotVectors& x, const AlignedVector<double>& inverse_masses,
+                                       double kick, double drift) {
   static const slot_kernel::Kernel kernel = choose_slot_kernel();
   slot_kernel::UpdateView view{};
   assembly.describe(view);
   view.element_forces = element_forces.data();
-  view.inverse_mass = inverse_mass.data();
+  view.inverse_mass = inverse_masses.data();
   view.applied = applied.arrays();
   view.coordinates = x.arrays();
   view.velocities = v.arrays();
   for_chunks(assembly.block_count(), [&](int, int first, int last) { kernel(view, first, last, kick, drift); });
+}
+
+// By the consistent mass. The forces are what a kick with unit masses adds to velocities that were zero.
+void CableSystem::Impl::compute_accelerations() {
+  accelerations = SlotVectors(layout.size());
+  kick_and_drift(accelerations, coordinates, unit_mass, 1, 0);
+  consistent_mass->solve(accelerations, mass);
+}
+
+void CableSystem::Impl::move_slots(double kick, double drift) {
+  if (!consistent_mass) {
+    kick_and_drift(velocities, coordinates, inverse_mass, kick, drift);
+    return;
+  }
+  compute_accelerations();
+  const SlotArrays acceleration = accelerations.arrays(), velocity = velocities.arrays(), q = coordinates.arrays();
+  const auto move = [&](double* coordinate, double* rate, const double* change) {
+    for (std::int32_t slot = 0; slot < layout.size(); ++slot) {
+      rate[slot] += kick * change[slot];
+      coordinate[slot] += drift * rate[slot];
+    }
+  };
+  move(q.x, velocity.x, acceleration.x);
+  move(q.y, velocity.y, acceleration.y);
+  move(q.z, velocity.z, acceleration.z);
 }
 
 void CableSystem::Impl::step(double dt) {

@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,8 @@ struct CableMaterial {
   double radius = 0;          // m, outer, for contact and drawing
   double youngs_modulus = 0;  // Pa, for the contact stiffness
   double poisson_ratio = 0;
+  // Inflated tube: moment beyond which its wall wrinkles (ancf/wrinkling.h), N m. None by default; a run can change it.
+  double wrinkling_moment = std::numeric_limits<double>::infinity();
 };
 
 struct ModelElement {
