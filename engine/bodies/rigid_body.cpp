@@ -44,6 +44,11 @@ void RigidBody::set_state(const RigidBodyState& state) {
   update_rotation();
 }
 
+void RigidBody::restore(const RigidBodyState& state) {
+  state_ = state;
+  update_rotation();
+}
+
 void RigidBody::set_angular_velocity(const Vector3d& angular_velocity) {
   state_.angular_momentum =
       symmetric_product(rotation_, inertia_ * symmetric_transposed_product(rotation_, angular_velocity));

@@ -38,6 +38,8 @@ class RigidBody {
   const Eigen::Matrix3d& inertia() const { return inertia_; }  // kg m^2, body axes
   const RigidBodyState& state() const { return state_; }
   void set_state(const RigidBodyState& state);
+  // A state that a body had before: to the last bit, without making the attitude a unit quaternion once more.
+  void restore(const RigidBodyState& state);
 
   const Eigen::Vector3d& position() const { return state_.position; }
   const Eigen::Vector3d& velocity() const { return state_.velocity; }

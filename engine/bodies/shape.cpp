@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "engine/bodies/symmetric_algebra.h"
+#include "engine/bodies/triangle_mesh.h"
 
 namespace netpocket {
 namespace {
 
+using Eigen::AlignedBox3d;
 using Eigen::Vector3d;
 
 // Below this a squared length has lost its digits to underflow and gives no direction.
@@ -64,13 +67,63 @@ SurfacePoint nearest(const Cylinder& cylinder, const Vector3d& point) {
   return {flank, radial};
 }
 
+// The union's distance is the least of its parts': exact outside, a bound inside.
+SurfacePoint nearest(const Satellite& satellite, const Vector3d& point) {
+  SurfacePoint best{std::numeric_limits<double>::infinity(), Vector3d::UnitY()};
+  for (const Satellite::Part& part : satellite.parts()) {
+    const SurfacePoint found =
+        std::visit([&](const auto& solid) { return nearest(solid, point - part.centre); }, part.solid);
+    if (found.distance < best.distance) best = found;
+  }
+  return best;
+}
+
+SurfacePoint nearest(const MeshShape& shape, const Vector3d& point) { return shape.mesh->nearest(point); }
+
+template <typename Solid>
+bool nearer(const Solid& solid, const Vector3d& point, double reach) {
+  return !(nearest(solid, point).distance > reach);
+}
+bool nearer(const MeshShape& shape, const Vector3d& point, double reach) { return shape.mesh->is_nearer(point, reach); }
+
 double smallest_radius(const Sphere& sphere) { return sphere.radius; }
 double smallest_radius(const Box& box) { return 0.5 * box.size.minCoeff(); }
 double smallest_radius(const Cylinder& cylinder) { return cylinder.radius; }
 
+double smallest_radius(const Satellite& satellite) { return 0.5 * satellite.dimensions().bus.minCoeff(); }
+double smallest_radius(const MeshShape& shape) { return std::cbrt(3 * shape.mesh->volume() / (4 * std::numbers::pi)); }
+
+// Smallest box along the body axes.
+AlignedBox3d extent(const Sphere& sphere) {
+  return {Vector3d::Constant(-sphere.radius), Vector3d::Constant(sphere.radius)};
+}
+AlignedBox3d extent(const Box& box) { return {-0.5 * box.size, 0.5 * box.size}; }
+AlignedBox3d extent(const Cylinder& cylinder) {
+  const Vector3d half(cylinder.radius, 0.5 * cylinder.length, cylinder.radius);
+  return {-half, half};
+}
+AlignedBox3d extent(const Satellite& satellite) {
+  AlignedBox3d box;
+  for (const Satellite::Part& part : satellite.parts()) {
+    box.extend(std::visit([](const auto& solid) { return extent(solid); }, part.solid).translated(part.centre));
+  }
+  return box;
+}
+AlignedBox3d extent(const MeshShape& shape) { return shape.mesh->bounds(); }
+
 double outer_radius(const Sphere& sphere) { return sphere.radius; }
 double outer_radius(const Box& box) { return 0.5 * symmetric_norm(box.size); }
 double outer_radius(const Cylinder& cylinder) { return std::hypot(cylinder.radius, 0.5 * cylinder.length); }
+
+double outer_radius(const Satellite& satellite) {
+  double radius = 0;
+  for (const Satellite::Part& part : satellite.parts()) {
+    const AlignedBox3d box = std::visit([](const auto& solid) { return extent(solid); }, part.solid);
+    radius = std::max(radius, (part.centre.cwiseAbs() + box.max()).norm());
+  }
+  return radius;
+}
+double outer_radius(const MeshShape& shape) { return shape.mesh->bounding_radius(); }
 
 // Half the edges of the bounding box along the world axes.
 Vector3d half_extent(const Sphere& sphere, const Eigen::Matrix3d&) { return Vector3d::Constant(sphere.radius); }
@@ -81,6 +134,36 @@ Vector3d half_extent(const Cylinder& cylinder, const Eigen::Matrix3d& rotation) 
   // A disc across the unit vector a reaches R sqrt(1 - a_i^2) along axis i; its rim vectors span the other two columns.
   const Vector3d rim = (rotation.col(0).cwiseAbs2() + rotation.col(2).cwiseAbs2()).cwiseSqrt();
   return cylinder.radius * rim + 0.5 * cylinder.length * rotation.col(1).cwiseAbs();
+}
+
+// World box round a box along body axes.
+AlignedBox3d turned(const AlignedBox3d& box, const Vector3d& position, const Eigen::Matrix3d& rotation) {
+  const Vector3d centre = position + rotation * box.center(), half = 0.5 * (rotation.cwiseAbs() * box.sizes());
+  return {centre - half, centre + half};
+}
+
+template <typename Solid>
+AlignedBox3d world_box(const Solid& solid, const Vector3d& position, const Eigen::Matrix3d& rotation) {
+  const Vector3d half = half_extent(solid, rotation);
+  return {position - half, position + half};
+}
+AlignedBox3d world_box(const Satellite& satellite, const Vector3d& position, const Eigen::Matrix3d& rotation) {
+  return turned(extent(satellite), position, rotation);
+}
+AlignedBox3d world_box(const MeshShape& shape, const Vector3d& position, const Eigen::Matrix3d& rotation) {
+  return turned(extent(shape), position, rotation);
+}
+
+double solid_volume(const Satellite& satellite) {
+  double sum = 0;
+  for (const Satellite::Part& part : satellite.parts())
+    sum += std::visit([](const auto& solid) { return volume(solid); }, part.solid);
+  return sum;
+}
+double solid_volume(const MeshShape& shape) { return shape.mesh->volume(); }
+template <typename Solid>
+double solid_volume(const Solid& solid) {
+  return volume(solid);
 }
 
 // Inertia per unit of mass of the solid shape.
@@ -95,10 +178,31 @@ Vector3d squared_gyration(const Cylinder& cylinder) {
   return {across, 0.5 * square, across};
 }
 
+template <typename Solid>
+Eigen::Matrix3d unit_inertia(const Solid& solid) {
+  return squared_gyration(solid).asDiagonal();
+}
+// Each part's own and that of its mass at its centre (Steiner's theorem).
+Eigen::Matrix3d unit_inertia(const Satellite& satellite) {
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  for (const Satellite::Part& part : satellite.parts()) {
+    const Vector3d& c = part.centre;
+    const Eigen::Matrix3d own = std::visit([](const auto& solid) { return unit_inertia(solid); }, part.solid);
+    const double share = std::visit([](const auto& solid) { return volume(solid); }, part.solid);
+    sum += share * (own + c.squaredNorm() * Eigen::Matrix3d::Identity() - c * c.transpose());
+  }
+  return sum / solid_volume(satellite);
+}
+Eigen::Matrix3d unit_inertia(const MeshShape& shape) { return shape.mesh->unit_inertia(); }
+
 }  // namespace
 
 SurfacePoint nearest_surface_point(const Shape& shape, const Vector3d& point) {
   return std::visit([&](const auto& s) { return nearest(s, point); }, shape);
+}
+
+bool is_nearer(const Shape& shape, const Vector3d& point, double reach) {
+  return std::visit([&](const auto& s) { return nearer(s, point, reach); }, shape);
 }
 
 double contact_radius(const Shape& shape) {
@@ -109,14 +213,20 @@ double bounding_radius(const Shape& shape) {
   return std::visit([](const auto& s) { return outer_radius(s); }, shape);
 }
 
-Eigen::AlignedBox3d bounding_box(const Shape& shape, const Vector3d& position, const Eigen::Matrix3d& rotation) {
-  const Vector3d half = std::visit([&](const auto& s) { return half_extent(s, rotation); }, shape);
-  return {position - half, position + half};
+AlignedBox3d bounding_box(const Shape& shape, const Vector3d& position, const Eigen::Matrix3d& rotation) {
+  return std::visit([&](const auto& s) { return world_box(s, position, rotation); }, shape);
+}
+
+AlignedBox3d extents(const Shape& shape) {
+  return std::visit([](const auto& s) { return extent(s); }, shape);
+}
+
+double volume(const Shape& shape) {
+  return std::visit([](const auto& s) { return solid_volume(s); }, shape);
 }
 
 Eigen::Matrix3d solid_inertia(const Shape& shape, double mass) {
-  const Vector3d square = std::visit([](const auto& s) { return squared_gyration(s); }, shape);
-  return (mass * square).asDiagonal();
+  return mass * std::visit([](const auto& s) { return unit_inertia(s); }, shape);
 }
 
 }  // namespace netpocket

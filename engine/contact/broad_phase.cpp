@@ -42,7 +42,7 @@ int index_of(const fcl::CollisionObjectd* object) { return static_cast<const Box
 bool is_near(const PlacedShape& body, const AlignedBox3d& element, double margin) {
   const Vector3d centre = body.rotation.transpose() * (element.center() - body.position);
   const double reach = 0.5 * element.diagonal().norm() + margin;
-  return !(nearest_surface_point(body.shape, centre).distance > reach);  // a non-finite distance counts as near
+  return is_nearer(body.shape, centre, reach);  // a non-finite place counts as near
 }
 
 // Bounds on how far any point has moved from where it was at `before`.

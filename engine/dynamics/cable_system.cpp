@@ -118,6 +118,7 @@ struct CableSystem::Impl {
     return assembly.element_force(slot, element_forces.data()) + applied.get(slot);
   }
   Eigen::MatrixX3d all_slot_forces() const;
+  std::string contact_of(std::int32_t element) const;
   ElementCoordinates gather(const SlotVectors& vectors, std::size_t element) const;
   MaterialSpan span(std::size_t element) const;
   double strain_energy() const;
@@ -320,6 +321,14 @@ void CableSystem::Impl::compute_forces(double dt) {
   }
 }
 
+// What an element touched in the last step, for messages.
+std::string CableSystem::Impl::contact_of(std::int32_t element) const {
+  for (const ContactPoint& contact : contacts.contacts()) {
+    if (contact.element == element) return fmt::format(", in contact with the {},", model.bodies[contact.body].name);
+  }
+  return ", without contact,";
+}
+
 Eigen::MatrixX3d CableSystem::Impl::all_slot_forces() const {
   Eigen::MatrixX3d force(layout.size(), 3);
   for (std::int32_t slot = 0; slot < layout.size(); ++slot) force.row(slot) = slot_force(slot).transpose();
@@ -469,7 +478,8 @@ std::optional<std::string> CableSystem::fault() const {
       const std::int32_t slot = s.elements[i].slot[corner];
       const double speed = s.velocities.get(slot).norm() * (corner % 2 == 0 ? 1.0 : s.element_length[i]);
       if (speed < kRunawaySpeed && s.coordinates.get(slot).allFinite()) continue;
-      return fmt::format("{} (element {}) moves at {:.3g} m/s", s.model.threads[s.model.elements[i].thread], i, speed);
+      return fmt::format("{} (element {}){} moves at {:.3g} m/s", s.model.threads[s.model.elements[i].thread], i,
+                         s.contact_of(static_cast<std::int32_t>(i)), speed);
     }
   }
   for (std::size_t b = 0; b < s.bodies.size(); ++b) {
@@ -505,23 +515,34 @@ double CableSystem::take_deepest_penetration() { return std::exchange(impl_->dee
 
 void CableSystem::visit_state(const std::function<void(double&)>& visit) {
   Impl& s = *impl_;
-  const auto visit_vector = [&](auto&& v) {
-    for (Eigen::Index i = 0; i < v.size(); ++i) visit(v[i]);
+  // Nothing is touched unless the visitor changes it: to look at the state must not change a bit of the run.
+  const auto visit_number = [&](double& number) {
+    const double before = number;
+    visit(number);
+    return number != before;
   };
+  const auto visit_vector = [&](auto&& v) {
+    bool changes = false;
+    for (Eigen::Index i = 0; i < v.size(); ++i) changes = visit_number(v[i]) || changes;
+    return changes;
+  };
+  bool changed = false;
   for (SlotVectors* vectors : {&s.coordinates, &s.velocities}) {
     for (std::int32_t slot = 0; slot < s.layout.size(); ++slot) {
       Eigen::Vector3d value = vectors->get(slot);
-      visit_vector(value);
+      if (!visit_vector(value)) continue;
       vectors->set(slot, value);
+      changed = true;
     }
   }
   for (DynamicBody& body : s.bodies) {
     RigidBodyState state = body.rigid().state();
-    visit_vector(state.position);
-    visit_vector(state.velocity);
-    visit_vector(state.attitude.coeffs());
-    visit_vector(state.angular_momentum);
-    body.rigid().set_state(state);
+    bool moved = visit_vector(state.position);
+    moved = visit_vector(state.velocity) || moved;
+    moved = visit_vector(state.attitude.coeffs()) || moved;
+    moved = visit_vector(state.angular_momentum) || moved;
+    if (moved) body.rigid().restore(state);
+    changed = changed || moved;
   }
   for (Eigen::Vector3d& impulse : s.impulses) visit_vector(impulse);
   double steps = static_cast<double>(s.steps);
@@ -529,8 +550,9 @@ void CableSystem::visit_state(const std::function<void(double&)>& visit) {
                         &s.initial_load_work, &s.deepest_penetration}) {
     visit(*value);
   }
-  s.steps = static_cast<std::int64_t>(steps);
-  s.contacts.forget_candidates();
+  // A file may hold what is no count.
+  if (steps >= 0 && steps < 9e15) s.steps = static_cast<std::int64_t>(steps);
+  if (changed) s.contacts.forget_candidates();
 }
 
 EnergyAudit CableSystem::audit() {

@@ -55,7 +55,8 @@ class CableSystem {
   StableStep stable_step() const;
   // One step of `dt` (s). Steps may differ in size; large jumps cost accuracy.
   void step(double dt);
-  // What is wrong with the state, if it is no longer finite or flies apart: one sentence that names the cable or body.
+  // What is wrong with the state, if it is no longer finite or flies apart: one sentence that names the cable, its
+  // contact in the last step, or the body.
   std::optional<std::string> fault() const;
 
   Eigen::Vector3d position(std::int32_t node) const;  // m

@@ -19,6 +19,10 @@ constexpr double kLongestTravel = 0.05;
 constexpr double kNearMargin = 0.02;
 // Inflation (m) of the boxes in the broad phase.
 constexpr double kBroadMargin = 0.3;
+// A contact is made no stiffer than lets an impact at this speed (m/s) last so many steps. Eight resolve the rebound to
+// 1 % up to ten times the speed.
+constexpr double kResolvedSpeed = 1;
+constexpr double kStepsInImpact = 8;
 
 Eigen::Vector3d combine(const SlotVectors& vectors, const std::array<std::int32_t, 4>& slot,
                         const std::array<double, 4>& weight) {
@@ -32,6 +36,7 @@ ContactSolver::ContactSolver(const Model& model, const SlotLayout& layout, std::
     : model_(model),
       layout_(layout),
       settings_(model.contact),
+      damping_(restitution_damping(model.contact.restitution)),
       broad_phase_(static_cast<int>(model.elements.size()), kBroadMargin),
       near_(model.bodies.size()),
       shared_weight_(mass.size(), 0.0),
@@ -51,7 +56,7 @@ ContactSolver::ContactSolver(const Model& model, const SlotLayout& layout, std::
   }
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const ModelBody& body = model.bodies[b];
-    std::vector<NormalLaw> laws;
+    std::vector<Pair> pairs;
     std::vector<std::uint8_t> excluded;
     for (std::size_t i = 0; i < model.elements.size(); ++i) {
       const ModelElement& element = model.elements[i];
@@ -60,13 +65,14 @@ ContactSolver::ContactSolver(const Model& model, const SlotLayout& layout, std::
                                                {body.youngs_modulus, body.poisson_ratio});
       const double stiffness = hertz_stiffness(modulus, effective_radius(material.radius, contact_radius(body.shape)));
       const double tributary = material.section.mass_per_length * element.length / count;
-      laws.push_back(make_normal_law(stiffness, settings_.restitution, effective_mass(tributary, body.mass)));
+      pairs.push_back({stiffness, effective_mass(tributary, body.mass)});
       const auto attached = [&](std::int32_t node) {
         return model.nodes[node].support == Support::body && model.nodes[node].body == static_cast<std::int32_t>(b);
       };
       excluded.push_back(attached(element.node1) || attached(element.node2) || material.radius <= 0);
     }
-    laws_.push_back(std::move(laws));
+    pairs_.push_back(std::move(pairs));
+    trackers_.emplace_back(body.shape, model.elements.size() * samples_.size());
     excluded_.push_back(std::move(excluded));
   }
 }
@@ -96,18 +102,18 @@ void ContactSolver::update_broad_phase(const SlotVectors& coordinates, const std
   broad_phase_.update(boxes, shapes);
 }
 
-double ContactSolver::clearance(const SlotVectors& coordinates, double length, std::int32_t element, std::int32_t body,
-                                const DynamicBody& dynamic) const {
-  double smallest = std::numeric_limits<double>::infinity();
+bool ContactSolver::is_near(const SlotVectors& coordinates, double length, std::int32_t element, std::int32_t body,
+                            const DynamicBody& dynamic, double reach) {
   const Eigen::Vector3d centre = dynamic.centre();
-  for (const Sample& sample : samples_) {
+  for (std::size_t i = 0; i < samples_.size(); ++i) {
+    const Sample& sample = samples_[i];
     const Eigen::Vector3d point =
         combine(coordinates, slots_[element],
                 {sample.position1, length * sample.gradient1, sample.position2, length * sample.gradient2});
     const Eigen::Vector3d local = symmetric_transposed_product(dynamic.rigid().rotation(), point - centre);
-    smallest = std::min(smallest, nearest_surface_point(model_.bodies[body].shape, local).distance);
+    if (trackers_[body].nearest(element * samples_.size() + i, local, reach)) return true;
   }
-  return smallest - radius_[element];
+  return false;
 }
 
 void ContactSolver::survey(const SlotVectors& coordinates, const SlotVectors& velocities,
@@ -135,7 +141,8 @@ void ContactSolver::survey(const SlotVectors& coordinates, const SlotVectors& ve
     if (!model_.bodies[b].touches_cables) continue;
     for (const std::int32_t element : broad_phase_.candidates(static_cast<int>(b))) {
       if (excluded_[b][element]) continue;
-      if (clearance(coordinates, element_length[element], element, static_cast<std::int32_t>(b), bodies[b]) < margin) {
+      if (is_near(coordinates, element_length[element], element, static_cast<std::int32_t>(b), bodies[b],
+                  margin + radius_[element])) {
         near_[b].push_back(element);
       }
     }
@@ -156,23 +163,23 @@ void ContactSolver::find(const SlotVectors& coordinates, const std::vector<doubl
     const Eigen::Matrix3d& rotation = bodies[b].rigid().rotation();
     for (const std::int32_t element : near_[b]) {
       const double length = element_length[element];
-      for (const Sample& sample : samples_) {
+      for (std::size_t i = 0; i < samples_.size(); ++i) {
+        const Sample& sample = samples_[i];
         const std::array<double, 4> weight = {sample.position1, length * sample.gradient1, sample.position2,
                                               length * sample.gradient2};
         const Eigen::Vector3d point = combine(coordinates, slots_[element], weight);
-        const SurfacePoint nearest =
-            nearest_surface_point(model_.bodies[b].shape, symmetric_transposed_product(rotation, point - centre));
-        const double penetration = radius_[element] - nearest.distance;
-        if (penetration <= 0) continue;
-        const Eigen::Vector3d normal = symmetric_product(rotation, nearest.normal);
+        const auto nearest = trackers_[b].nearest(
+            element * samples_.size() + i, symmetric_transposed_product(rotation, point - centre), radius_[element]);
+        if (!nearest) continue;
+        const double penetration = radius_[element] - nearest->distance;
+        const Eigen::Vector3d normal = symmetric_product(rotation, nearest->normal);
         contacts_.push_back({.element = element,
                              .body = static_cast<std::int32_t>(b),
                              .slot = slots_[element],
                              .weight = weight,
                              .point = point,
                              .normal = normal,
-                             .penetration = penetration,
-                             .law = laws_[b][element]});
+                             .penetration = penetration});
         deepest_penetration_ = std::max(deepest_penetration_, penetration);
       }
     }
@@ -197,18 +204,27 @@ Eigen::Vector3d ContactSolver::relative_velocity(const Contact& contact, const S
   return combine(velocities, contact.slot, contact.weight) - body.rigid().velocity_at(contact.point);
 }
 
-void ContactSolver::set_force(Contact& contact, std::span<const double> inverse_mass, const DynamicBody& body,
-                              double dt) const {
+NormalLaw ContactSolver::law(const Contact& contact, double dt) const {
+  const Pair& pair = pairs_[contact.body][contact.element];
+  const double resolved = stiffness_of_impact(pair.mass, kResolvedSpeed, kStepsInImpact * dt);
+  const double stiffness = std::min(pair.stiffness, resolved);
+  return {stiffness, damping_ * std::sqrt(stiffness * pair.mass)};
+}
+
+void ContactSolver::set_force(Contact& contact, const SlotVectors& velocities, std::span<const double> inverse_mass,
+                              const DynamicBody& body, double dt) const {
   double cable_inverse_mass = 0;
   for (int i = 0; i < 4; ++i) {
     cable_inverse_mass += std::abs(contact.weight[i]) * shared_weight_[contact.slot[i]] * inverse_mass[contact.slot[i]];
   }
   const double arm = symmetric_norm(contact.point - body.rigid().position());
   const double w = cable_inverse_mass + contacts_on_body_[contact.body] * body.inverse_mass_bound(arm);
-  const Eigen::Vector3d velocity = relative_velocity(contact, predicted_, body);
-  const double separation_speed = symmetric_dot(velocity, contact.normal);
-  const double normal_force = semi_implicit_normal_force(contact.law, contact.penetration, separation_speed, w, dt);
-  const Eigen::Vector3d sliding = velocity - separation_speed * contact.normal;
+  const Eigen::Vector3d before = relative_velocity(contact, velocities, body);
+  const Eigen::Vector3d after = relative_velocity(contact, predicted_, body);
+  const double separation_speed = symmetric_dot(after, contact.normal);
+  const double normal_force = stepped_normal_force(law(contact, dt), contact.penetration,
+                                                   {symmetric_dot(before, contact.normal), separation_speed}, w, dt);
+  const Eigen::Vector3d sliding = after - separation_speed * contact.normal;
   const double resistance =
       sliding_resistance(settings_.friction, settings_.friction_velocity, normal_force, symmetric_norm(sliding), w, dt);
   contact.force = normal_force * contact.normal - resistance * sliding;
@@ -231,7 +247,7 @@ void ContactSolver::add_forces(const SlotVectors& coordinates, const SlotVectors
   auto torque = force;
   for (Contact& contact : contacts_) {
     const DynamicBody& body = bodies[contact.body];
-    set_force(contact, inverse_mass, body, dt);
+    set_force(contact, velocities, inverse_mass, body, dt);
     for (int i = 0; i < 4; ++i) applied.add(contact.slot[i], contact.weight[i] * contact.force);
     force[contact.body].add(contact.element, -contact.force);
     torque[contact.body].add(contact.element, (contact.point - body.rigid().position()).cross(-contact.force));

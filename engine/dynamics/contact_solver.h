@@ -2,12 +2,15 @@
 // Contact of cables with rigid bodies: finds touching points of the elements, computes their forces and gives them to
 // nodes, gradients and bodies by virtual work (S^T F).
 //
-// Each element is touched at a few points inside it, symmetric about its middle. The normal force is the contact-local
-// semi-implicit form of force_law.h. All contacts of a step are computed from the same state (Jacobi-wise), so those
-// that share nodes must share the nodes' inertia too: a contact's inverse mass counts every contact point on its nodes,
-// w = sum_i S_i (sum_c S_i,c)/m_i + n_body w_body, the row sum of the contacts' common inverse mass matrix. No step can
-// then push a node or a body beyond what a single contact would (mass splitting: Tonge, Benevolenski & Voroshilov 2012,
-// doi:10.1145/2185520.2185601).
+// Each element is touched at a few points inside it, symmetric about its middle. A contact is as stiff as its partners'
+// materials, but no stiffer than makes an impact at 1 m/s last eight steps: then the spring acts as in the leapfrog
+// scheme, and the rebound is that of the law whatever the step (force_law.h).
+//
+// All contacts of a step are computed from the same state (Jacobi-wise). Where a contact is solved for its own speed
+// (damping, friction, springs too stiff for the step), those that share nodes must share the nodes' inertia too: a
+// contact's inverse mass counts every contact point on its nodes, w = sum_i S_i (sum_c S_i,c)/m_i + n_body w_body, the
+// row sum of the contacts' common inverse mass matrix. No step can then push a node or a body beyond what a single
+// contact would (mass splitting: Tonge, Benevolenski & Voroshilov 2012, doi:10.1145/2185520.2185601).
 
 #include <array>
 #include <functional>
@@ -16,6 +19,7 @@
 
 #include "engine/contact/broad_phase.h"
 #include "engine/contact/force_law.h"
+#include "engine/contact/surface_tracker.h"
 #include "engine/dynamics/dynamic_body.h"
 #include "engine/dynamics/slot_state.h"
 #include "engine/model/model.h"
@@ -54,6 +58,10 @@ class ContactSolver {
   struct Sample {  // shape functions at one contact point for unit length
     double position1, gradient1, position2, gradient2;
   };
+  struct Pair {        // an element and a body
+    double stiffness;  // K of the materials, N/m^1.5
+    double mass;       // m_eff, kg
+  };
   struct Contact {
     std::int32_t element, body;
     std::array<std::int32_t, 4> slot;
@@ -61,7 +69,6 @@ class ContactSolver {
     Eigen::Vector3d point;   // m, on the cable's axis: where the force acts on both, so that their moments balance
     Eigen::Vector3d normal;  // outward from the body
     double penetration;      // m
-    NormalLaw law;
     Eigen::Vector3d force = Eigen::Vector3d::Zero();  // N, on the cable
   };
   void survey(const SlotVectors& coordinates, const SlotVectors& velocities, const std::vector<double>& element_length,
@@ -71,10 +78,13 @@ class ContactSolver {
                           const std::vector<DynamicBody>& bodies);
   void find(const SlotVectors& coordinates, const std::vector<double>& element_length,
             const std::vector<DynamicBody>& bodies);
-  double clearance(const SlotVectors& coordinates, double length, std::int32_t element, std::int32_t body,
-                   const DynamicBody& dynamic) const;
+  // Whether a contact point of the element is nearer than `reach` (m) to the body.
+  bool is_near(const SlotVectors& coordinates, double length, std::int32_t element, std::int32_t body,
+               const DynamicBody& dynamic, double reach);
   void share_inertia();
-  void set_force(Contact& contact, std::span<const double> inverse_mass, const DynamicBody& body, double dt) const;
+  NormalLaw law(const Contact& contact, double dt) const;
+  void set_force(Contact& contact, const SlotVectors& velocities, std::span<const double> inverse_mass,
+                 const DynamicBody& body, double dt) const;
   Eigen::Vector3d relative_velocity(const Contact& contact, const SlotVectors& velocities,
                                     const DynamicBody& body) const;
 
@@ -84,9 +94,11 @@ class ContactSolver {
   std::vector<Sample> samples_;
   std::vector<std::array<std::int32_t, 4>> slots_;   // by element
   std::vector<double> radius_;                       // by element
-  std::vector<std::vector<NormalLaw>> laws_;         // by body, element
+  double damping_;                                   // alpha of force_law.h
+  std::vector<std::vector<Pair>> pairs_;             // by body, element
   std::vector<std::vector<std::uint8_t>> excluded_;  // by body, element: attached to it
   BroadPhase broad_phase_;
+  std::vector<SurfaceTracker> trackers_;         // by body; its points: by element, sample
   std::vector<std::vector<std::int32_t>> near_;  // by body: elements so near that they are tested at every step
   std::vector<Contact> contacts_;
   std::vector<double> shared_weight_;  // by slot, sum of contact weights

@@ -52,7 +52,7 @@ class RopeDynamics {
     std::function<RopeMotion(double)> motion;
     double share_at_start;
     double initial_length;
-    RopeMotion now;
+    RopeMotion now{};
   };
 
   template <typename Function>

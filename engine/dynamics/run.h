@@ -1,10 +1,11 @@
 #pragma once
-// Runs a scenario from its start into a recording: what the command line and the workbench share.
+// Runs a scenario into a recording, from its start or from where an earlier run of it was cut off.
 
 #include <functional>
 #include <stop_token>
 #include <string>
 
+#include "engine/dynamics/checkpoint_log.h"
 #include "engine/recording/recorder.h"
 #include "engine/recording/run_status.h"
 #include "engine/scenario/scenario.h"
@@ -31,6 +32,8 @@ struct RunProgress {
 struct RunResult {
   RunStatus status;
   RunStatistics statistics;
+  bool recorded =
+      true;  // false: a resumed run ended before it came further than what was recorded, which stays as it was
 };
 
 // Called after each recorded frame, on the thread that runs.
@@ -42,5 +45,15 @@ using RunCallback = std::function<void(const RunProgress&)>;
 // begun: then `path` is as it was.
 RunResult run_to_recording(const Scenario& scenario, const std::string& path, const RunOptions& options,
                            const RunCallback& after_frame = {}, const std::stop_token& stop = {});
+
+// Why this program cannot continue a recorded run: another version wrote it, or it diverged. Empty when it can.
+std::string why_not_resumable(const Recording& recording, const RunOptions& options);
+
+// Continues a recorded run from its last checkpoint, to `end_time` (s) or, with 0, to that of its scenario. The result
+// is the recording of the whole run, equal to that of an uninterrupted one but for the times that the computation took.
+// `path` may be that of the recording itself: the old file is replaced when the new one holds as many frames, and stays
+// when the run ends before. Otherwise as run_to_recording; also throws ResumeError.
+RunResult resume_recording(const std::string& source, const std::string& path, const RunOptions& options,
+                           double end_time = 0, const RunCallback& after_frame = {}, const std::stop_token& stop = {});
 
 }  // namespace netpocket

@@ -23,6 +23,8 @@ namespace {
 
 // Steps between two checks that the state is sound.
 constexpr std::int64_t kFaultInterval = 256;
+// Counts that a double holds exactly.
+constexpr double kLargestCount = 9007199254740992.0;
 
 double cpu_seconds() {
   timespec now{};
@@ -100,6 +102,8 @@ struct Simulation::Impl {
   std::int64_t interval = -1;  // present output interval
   std::int64_t interval_steps = 1, steps_in_interval = 0;
   double wall = 0, cpu = 0;
+  std::vector<double> sound_state;  // at the start of advance() or the last check since
+  std::int64_t failed_step = 0;
 
   // Small random displacements of the free net nodes, to see how asymmetry grows.
   void perturb() {
@@ -161,7 +165,8 @@ struct Simulation::Impl {
     const auto visit_count = [&](std::int64_t& count) {
       double value = static_cast<double>(count);
       visit(value);
-      count = static_cast<std::int64_t>(value);
+      // Files hold states too: what is no count is none.
+      if (value >= -1 && value <= kLargestCount) count = static_cast<std::int64_t>(value);
     };
     visit_count(interval);
     visit_count(interval_steps);
@@ -181,23 +186,55 @@ struct Simulation::Impl {
     steps_in_interval = 0;
   }
 
-  std::optional<RunStatus> step() {
+  std::vector<double> state() {
+    std::vector<double> values;
+    values.reserve(sound_state.size());
+    visit_state([&](double& value) { values.push_back(value); });
+    return values;
+  }
+
+  void set_state(std::span<const double> values) {
+    std::size_t next = 0;
+    visit_state([&](double& value) { value = values[next++]; });
+  }
+
+  void step() {
     if (interval < 0 || steps_in_interval == interval_steps) begin_interval();
     system.control(pocket.spacecraft, drive.at(system.time(), system.body(pocket.spacecraft).velocity.y()));
     system.step(time_step);
     ++steps_in_interval;
-    if (system.steps() % kFaultInterval != 0) return std::nullopt;
-    return diverged();
   }
 
-  std::optional<RunStatus> diverged() const {
+  // Says why the state is not sound, if so: then it is the last sound one again.
+  std::optional<RunStatus> check() {
     const auto fault = system.fault();
     if (!fault) return std::nullopt;
+    return diverged(find_first_fault(*fault));
+  }
+
+  // The state was sound some steps ago. Repeats these one by one up to the one that failed and goes back to the state
+  // before it.
+  std::string find_first_fault(const std::string& latest) {
+    const std::int64_t end = system.steps();
+    set_state(sound_state);
+    std::optional<std::string> fault;
+    while (!fault && system.steps() < end) {
+      sound_state = state();
+      step();
+      fault = system.fault();
+    }
+    failed_step = system.steps();
+    set_state(sound_state);
+    return fault.value_or(latest);
+  }
+
+  RunStatus diverged(const std::string& fault) const {
     const std::string advice = scenario.solver.time_step > 0
                                    ? fmt::format("try a solver.time_step below {:.3g} s", time_step)
                                    : fmt::format("try solver.safety below {}", scenario.solver.safety);
-    return RunStatus{RunReason::diverged, system.time(),
-                     fmt::format("{} in step {} of {:.3g} s; {}", *fault, system.steps(), time_step, advice)};
+    return {RunReason::diverged, system.time(),
+            fmt::format("{} in step {} of {:.3g} s, at t = {:.6g} s; {}", fault, failed_step, time_step, system.time(),
+                        advice)};
   }
 };
 
@@ -214,20 +251,21 @@ double Simulation::time() const { return impl_->system.time(); }
 RunStatus Simulation::advance(double until, const std::stop_token& stop) {
   const double wall = wall_seconds(), cpu = cpu_seconds();
   RunStatus status{RunReason::finished, 0, "reached the requested time"};
+  std::optional<RunStatus> failure;
+  impl_->sound_state = impl_->state();
   // Half a step of tolerance: the sum of many steps is not exactly the time of a frame.
-  while (time() + 0.5 * impl_->time_step < until) {
+  while (!failure && time() + 0.5 * impl_->time_step < until) {
     if (stop.stop_requested()) {
       status = {RunReason::stopped, 0, "stopped on request"};
       break;
     }
-    if (const auto failure = impl_->step()) {
-      status = *failure;
-      break;
-    }
+    impl_->step();
+    if (impl_->system.steps() % kFaultInterval != 0) continue;
+    failure = impl_->check();
+    if (!failure) impl_->sound_state = impl_->state();
   }
-  if (status.reason == RunReason::finished) {
-    if (const auto failure = impl_->diverged()) status = *failure;
-  }
+  if (!failure) failure = impl_->check();
+  if (failure) status = *failure;
   status.time = time();
   impl_->wall += wall_seconds() - wall;
   impl_->cpu += cpu_seconds() - cpu;
@@ -256,18 +294,16 @@ std::vector<std::string> Simulation::change_strategy(const Scenario& wanted) {
   return need_restart;
 }
 
-std::vector<double> Simulation::checkpoint() const {
-  std::vector<double> state;
-  impl_->visit_state([&](double& value) { state.push_back(value); });
-  return state;
-}
+std::vector<double> Simulation::checkpoint() const { return impl_->state(); }
 
 void Simulation::restore(std::span<const double> state) {
   if (state.size() != checkpoint().size()) {
     throw std::invalid_argument("the saved state does not belong to this scenario: it has another size");
   }
-  std::size_t next = 0;
-  impl_->visit_state([&](double& value) { value = state[next++]; });
+  impl_->set_state(state);
+  if (const auto fault = impl_->system.fault()) {
+    throw std::invalid_argument("the saved state does not belong to this scenario: " + *fault);
+  }
 }
 
 RunStatistics Simulation::statistics() const {

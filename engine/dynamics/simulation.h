@@ -33,8 +33,9 @@ class Simulation {
   const Structure& structure() const;
   double time() const;  // s
 
-  // Steps to `until` (s) or until stopped or diverged. Step boundaries do not depend on `until`'s subdivision into
-  // output frames: frames are a whole number of steps.
+  // Steps to `until` (s) or until stopped or diverged. When it diverges the state is the last sound one, and the status
+  // says which step led to which cable's, contact's or body's failure from there. Step boundaries do not depend on
+  // `until`'s subdivision into output frames: frames are a whole number of steps.
   RunStatus advance(double until, const std::stop_token& stop = {});
 
   // The state now. Averages in its channels (contact force) run since the previous call.
@@ -46,7 +47,8 @@ class Simulation {
   std::vector<std::string> change_strategy(const Scenario& scenario);
 
   // The complete state as numbers, and back: a Simulation of the same scenario and the same changes of strategy
-  // continues from it to the last bit. Throws std::invalid_argument when the size does not fit.
+  // continues from it to the last bit. Throws std::invalid_argument when the size does not fit or the state is not
+  // sound.
   std::vector<double> checkpoint() const;
   void restore(std::span<const double> state);
 

@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <stdexcept>
+#include <variant>
 
 #include "engine/pocket/materials.h"
 #include "engine/pocket/sector_builder.h"
 #include "engine/scenario/closing_law.h"
+#include "engine/scenario/target_shape.h"
 
 namespace netpocket {
 namespace {
@@ -77,16 +80,10 @@ class PocketBuilder {
   std::vector<SectorThread> ropes_;
 };
 
-Shape target_shape(const TargetParameters& target) {
-  switch (target.shape) {
-    case TargetShape::box:
-      return Box{target.size};
-    case TargetShape::cylinder:
-      return Cylinder{target.radius, target.length};
-    case TargetShape::sphere:
-      break;
-  }
-  return Sphere{target.radius};
+Shape shape_of_target(const Scenario& scenario) {
+  auto shape = target_shape(scenario);
+  if (const auto* problem = std::get_if<Diagnostic>(&shape)) throw std::runtime_error(problem->text());
+  return std::get<Shape>(std::move(shape));
 }
 
 Eigen::Quaterniond from_rotation_vector(const Eigen::Vector3d& v) {
@@ -98,6 +95,7 @@ Eigen::Quaterniond from_rotation_vector(const Eigen::Vector3d& v) {
 void PocketBuilder::add_bodies() {
   const SpacecraftParameters& craft = scenario_.spacecraft;
   const TargetParameters& target = scenario_.target;
+  const Shape shape = shape_of_target(scenario_);
   pocket_.spacecraft = pocket_.model.add_body({.name = "spacecraft",
                                                .role = BodyRole::spacecraft,
                                                .shape = Box{craft.size},
@@ -107,9 +105,9 @@ void PocketBuilder::add_bodies() {
                                                .touches_cables = scenario_.contact.spacecraft});
   pocket_.target = pocket_.model.add_body({.name = "target",
                                            .role = BodyRole::target,
-                                           .shape = target_shape(target),
+                                           .shape = shape,
                                            .mass = target.mass,
-                                           .inertia = target.inertia.asDiagonal(),
+                                           .inertia = target_inertia(target, shape),
                                            .state = {.position = target.position,
                                                      .attitude = from_rotation_vector(target.attitude),
                                                      .velocity = target.velocity,
@@ -180,8 +178,11 @@ SectorIndex PocketBuilder::panel_node(const SectorIndex& rod_node, double across
 void PocketBuilder::add_net_thread(const std::vector<SectorIndex>& knots, const std::string& what) {
   if (knots.size() < 2) return;
   const std::vector<int> divisions(knots.size() - 1, scenario_.pocket.elements_per_side);
-  sectors_.add_thread(knots, divisions, net_, ElementKind::net,
-                      [&](int sector) { return fmt::format("panel {} {}", sector + 1, what); });
+  // Straight cords would buckle in whatever direction round-off gives them; these know theirs.
+  const Bow bow{scenario_.pocket.bow, {0, profile(1).y(), 0}};
+  sectors_.add_thread(
+      knots, divisions, net_, ElementKind::net,
+      [&](int sector) { return fmt::format("panel {} {}", sector + 1, what); }, bow);
 }
 
 void PocketBuilder::add_lower_net() {

@@ -22,7 +22,8 @@ struct Pocket {
   std::int32_t target = 1;
 };
 
-// The scenario must pass check_scenario.
+// The scenario must pass check_scenario. Throws std::runtime_error, one sentence, when the target's mesh file has
+// become unreadable since then.
 Pocket build_pocket(const Scenario& scenario);
 
 }  // namespace netpocket

@@ -35,17 +35,47 @@ Eigen::Vector3d SectorBuilder::position(SectorIndex node, int sector) const {
   return model_.nodes[resolve(node, sector)].position;
 }
 
+// The point at the fraction `part` of a stretch. Its bow is the quartic with no slope at the ends.
+Eigen::Vector3d SectorBuilder::bowed(const SectorIndex& from, const SectorIndex& to, double part, int sector,
+                                     const Bow& bow) const {
+  const Eigen::Vector3d start = position(from, sector), end = position(to, sector);
+  const Eigen::Vector3d straight = (1 - part) * start + part * end;
+  if (bow.rise == 0) return straight;
+  const Eigen::Vector3d span = end - start;
+  const double length = symmetric_norm(span);
+  const Eigen::Vector3d tangent = span / length;
+  const Eigen::Vector3d away = 0.5 * (start + end) - bow.away_from;
+  const Eigen::Vector3d across = away - symmetric_dot(away, tangent) * tangent;
+  const double size = symmetric_norm(across);
+  if (size < 1e-9 * length) return straight;
+  const double shape = 16 * part * part * (1 - part) * (1 - part);
+  return straight + (bow.rise * length * shape / size) * across;
+}
+
+namespace {
+
+// Length at which an element from one end of `chord` to the other with unit gradients along `direction` has no mean
+// axial strain (mean_strain_element.h).
+double unstrained_length(const Eigen::Vector3d& chord, const Eigen::Vector3d& direction) {
+  double length = symmetric_norm(chord);
+  for (int i = 0; i < 8; ++i) {  // each takes the error times the square of the small angle between the two
+    const Eigen::Vector3d e = chord / length;
+    length *= 1 + 0.5 * (symmetric_squared_norm(e) - 1 + 0.2 * symmetric_squared_norm(direction - e));
+  }
+  return length;
+}
+
+}  // namespace
+
 SectorThread SectorBuilder::add_thread(const std::vector<SectorIndex>& knots, const std::vector<int>& divisions,
                                        std::int32_t material, ElementKind kind,
-                                       const std::function<std::string(int)>& name) {
+                                       const std::function<std::string(int)>& name, const Bow& bow) {
   SectorThread thread;
   for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
     thread.nodes.push_back(knots[i]);
     for (int k = 1; k < divisions[i]; ++k) {
       const double part = static_cast<double>(k) / divisions[i];
-      thread.nodes.push_back(add_node([&](int sector) -> Eigen::Vector3d {
-        return (1 - part) * position(knots[i], sector) + part * position(knots[i + 1], sector);
-      }));
+      thread.nodes.push_back(add_node([&](int sector) { return bowed(knots[i], knots[i + 1], part, sector, bow); }));
     }
   }
   thread.nodes.push_back(knots.back());
@@ -63,7 +93,8 @@ SectorThread SectorBuilder::add_thread(const std::vector<SectorIndex>& knots, co
   for (int sector = 0; sector < sectors_; ++sector) thread_names.push_back(model_.add_thread(name(sector)));
   for (std::size_t i = 0; i + 1 < thread.nodes.size(); ++i) {
     for (int sector = 0; sector < sectors_; ++sector) {
-      const double length = symmetric_norm(position(thread.nodes[i + 1], sector) - position(thread.nodes[i], sector));
+      const Eigen::Vector3d chord = position(thread.nodes[i + 1], sector) - position(thread.nodes[i], sector);
+      const double length = bow.rise == 0 ? symmetric_norm(chord) : unstrained_length(chord, direction(sector));
       model_.add_element({resolve(thread.nodes[i], sector), resolve(thread.gradients[i], sector),
                           resolve(thread.nodes[i + 1], sector), resolve(thread.gradients[i + 1], sector), length,
                           material, kind, thread_names[sector]});

@@ -26,6 +26,13 @@ struct SectorThread {
   std::vector<std::int32_t> elements;  // local: index in the model = local * sectors + sector
 };
 
+// How cords deviate from straight lines between their knots: every stretch rises by `rise` times its length at its
+// middle, across itself and away from a point on the axis, with no slope at the knots.
+struct Bow {
+  double rise = 0;
+  Eigen::Vector3d away_from = Eigen::Vector3d::Zero();  // m
+};
+
 class SectorBuilder {
  public:
   // Adds to `model`, which must not have nodes, gradients or elements yet.
@@ -42,12 +49,15 @@ class SectorBuilder {
   std::int32_t gradient(SectorIndex index, int sector) const { return resolve(index, sector); }
   std::int32_t element(std::int32_t local, int sector) const { return local * sectors_ + sector; }
 
-  // A straight thread through `knots`, `divisions[i]` elements between knot i and i+1, at its natural length; one
-  // gradient per node, of unit length. `name(sector)` names it.
+  // A thread along the straight line through `knots`, `divisions[i]` elements between knot i and i+1, free of axial
+  // strain; one gradient per node, of unit length. `name(sector)` names it.
   SectorThread add_thread(const std::vector<SectorIndex>& knots, const std::vector<int>& divisions,
-                          std::int32_t material, ElementKind kind, const std::function<std::string(int sector)>& name);
+                          std::int32_t material, ElementKind kind, const std::function<std::string(int sector)>& name,
+                          const Bow& bow = {});
 
  private:
+  Eigen::Vector3d bowed(const SectorIndex& from, const SectorIndex& to, double part, int sector, const Bow& bow) const;
+
   std::int32_t resolve(SectorIndex index, int sector) const {
     return index.local * sectors_ + (index.next ? (sector + 1) % sectors_ : sector);
   }

@@ -43,7 +43,7 @@ void write_channels_csv(const Recording& recording, const std::string& path) {
   if (out && !error) return;
   const std::string reason = error ? error.message() : std::strerror(errno);
   std::filesystem::remove(part, error);
-  throw RecordingError(fmt::format("Cannot write \"{}\": {}.", path, reason));
+  throw RecordingError(fmt::format("cannot write \"{}\": {}", path, reason));
 }
 
 }  // namespace netpocket

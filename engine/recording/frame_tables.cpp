@@ -135,12 +135,14 @@ void FrameTables::append(const Snapshot& snapshot) {
   channels_->append(std::span<const double>(channels));
 }
 
-void FrameTables::flush(hid_t file) {
+void FrameTables::store_frames() {
   for (auto* table : {&rope_, &body_, &step_, &contact_range_, &contact_position_, &contact_force_, &contact_element_,
                       &contact_body_}) {
     if (*table) (*table)->store();
   }
-  checked(H5Fflush(file, H5F_SCOPE_LOCAL), "flush the file");
+}
+
+void FrameTables::store_channels() {
   channels_->store();
   channels_->flush();
 }

@@ -17,9 +17,9 @@ class FrameTables {
   // The large tables reach HDF5 at once, the small ones with the next flush().
   void append(const Snapshot& snapshot);
 
-  // Hands everything appended to the operating system. A frame exists when its row of channels does, so those rows
-  // come last, after all else is safe.
-  void flush(hid_t file);
+  // A frame exists when its row of channels does: those rows are stored when all else is safe.
+  void store_frames();
+  void store_channels();
 
  private:
   void create_large_tables(const Structure& structure, ChunkCodec& codec);

@@ -7,7 +7,7 @@
 namespace netpocket::layout {
 
 inline constexpr char kFormat[] = "netpocket-recording";
-inline constexpr std::int32_t kVersion = 1;
+inline constexpr std::int32_t kVersion = 2;
 
 // Numbers of a body's state: position, attitude (w, x, y, z), velocity, angular velocity.
 inline constexpr std::size_t kBodyNumbers = 13;

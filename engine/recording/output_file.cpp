@@ -25,7 +25,7 @@ constexpr std::uint64_t kMargin = 8u << 20;
 constexpr std::uint64_t kStep = 32u << 20;
 
 [[noreturn]] void fail(const std::string& path, const std::string& reason) {
-  throw RecordingError(fmt::format("Cannot write \"{}\": {}.", path, reason));
+  throw RecordingError(fmt::format("cannot write \"{}\": {}", path, reason));
 }
 
 // False when another open file description holds the lock. File systems without locks count as unlocked.
@@ -95,11 +95,27 @@ void OutputFile::reserve(std::uint64_t size) {
   }
 }
 
+void OutputFile::sync() {
+  // File systems that cannot (some in memory, some over networks) say EINVAL or EROFS.
+  if (fdatasync(descriptor_) != 0 && errno != EINVAL && errno != EROFS) fail(path_, std::strerror(errno));
+}
+
 void OutputFile::publish() {
   if (published_) return;
   check_target();
   if (rename(part_path_.c_str(), path_.c_str()) != 0) fail(path_, std::strerror(errno));
   published_ = true;
+  sync_folder();
+}
+
+// The new name is on the disk when the folder is. Where folders cannot be opened or synchronised, the name follows when
+// the system sees fit.
+void OutputFile::sync_folder() const {
+  const std::string folder = std::filesystem::path(path_).parent_path().string();
+  const int descriptor = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  std::ignore = fsync(descriptor);
+  ::close(descriptor);
 }
 
 }  // namespace netpocket

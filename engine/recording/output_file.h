@@ -23,8 +23,12 @@ class OutputFile {
   // need, so a full disk is noticed while HDF5 can still write what it holds and close the file.
   void ensure_room(std::uint64_t used);
 
+  // Waits until everything written is on the disk, so that it survives the loss of power.
+  void sync();
+
   // Moves the file to its final name, replacing an older one. Does nothing the second time.
   void publish();
+  bool is_published() const { return published_; }
 
   // Gives back unused room and the lock; removes the file when it was never published.
   void close();
@@ -32,6 +36,7 @@ class OutputFile {
  private:
   void check_target() const;
   void reserve(std::uint64_t size);
+  void sync_folder() const;
 
   std::string path_;
   std::string part_path_;

@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <optional>
 
+#include "engine/recording/checkpoint_io.h"
 #include "engine/recording/frame_tables.h"
 #include "engine/recording/layout.h"
 #include "engine/recording/outcome_io.h"
@@ -17,8 +20,8 @@ namespace netpocket {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-// With the time that a flush takes, less than a second.
-constexpr std::chrono::milliseconds kFlushInterval(900);
+// With the time that a flush takes (it waits for the disk twice), less than a second.
+constexpr std::chrono::milliseconds kFlushInterval(500);
 
 Handle create_file(const std::string& path) {
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "describe file access");
@@ -50,7 +53,10 @@ struct Recorder::Impl {
 
   void create(const RunOrigin& origin, const Structure& structure);
   void check_sizes(const Snapshot& snapshot) const;
+  void check_order(const Snapshot& snapshot) const;
+  void check_numbers(const Snapshot& snapshot) const;
   void write(const Snapshot& snapshot);
+  void write(const Checkpoint& checkpoint);
   void flush();
   void close();
   void ensure_room();
@@ -62,35 +68,39 @@ struct Recorder::Impl {
   ChunkCodec codec;
   Handle file;  // before the tables, so that it is closed after them
   std::optional<FrameTables> frames;
+  std::optional<CheckpointTables> checkpoints;
   std::optional<OutcomeTables> outcome;
   Structure structure;
   Clock::time_point last_flush = Clock::now();
   double last_time = 0;
+  double last_checkpoint_time = 0;
   std::size_t frame_count = 0;
-  std::string refusal;  // why nothing more can be written, if so
+  std::size_t published_from = 1;  // frames
+  std::string refusal;             // why nothing more can be written, if so
 };
 
 template <typename Action>
 void Recorder::Impl::guarded(const Action& action) {
   silence_hdf5();
-  if (!refusal.empty()) throw RecordingError(fmt::format("Cannot write \"{}\": {}.", output.path(), refusal));
+  if (!refusal.empty()) throw RecordingError(fmt::format("cannot write \"{}\": {}", output.path(), refusal));
   try {
     action();
   } catch (const Hdf5Error& error) {
     refusal = "an earlier write failed";
-    throw RecordingError(fmt::format("Cannot write \"{}\": failed to {}.", output.path(), error.what()));
+    throw RecordingError(fmt::format("cannot write \"{}\": failed to {}", output.path(), error.what()));
   }
 }
 
 void Recorder::Impl::create(const RunOrigin& origin, const Structure& model) {
   const std::string fault = find_fault(model);
-  if (!fault.empty()) throw RecordingError(fmt::format("Cannot record \"{}\": {}.", output.path(), fault));
+  if (!fault.empty()) throw RecordingError(fmt::format("cannot record \"{}\": {}", output.path(), fault));
   structure = model;
   file = create_file(output.working_path());
   ensure_room();
   write_origin(file.get(), origin, codec);
   write_structure(file.get(), structure, codec);
   frames.emplace(file.get(), structure, codec);
+  checkpoints.emplace(file.get(), codec);
   outcome.emplace(file.get(), codec);
   // From here on every write keeps the file readable, whenever the program dies (HDF5's single writer, multiple
   // readers mode); the price is that no dataset or attribute can be added any more.
@@ -111,15 +121,45 @@ void Recorder::Impl::check_sizes(const Snapshot& snapshot) const {
                     snapshot.strain.size() == elements &&
                     snapshot.rope_element_length.size() == static_cast<std::size_t>(structure.rope_count) &&
                     snapshot.bodies.size() == structure.bodies.size();
-  if (!fits) throw RecordingError(fmt::format("Cannot write \"{}\": a frame does not fit the model.", output.path()));
+  if (!fits) throw RecordingError(fmt::format("cannot write \"{}\": a frame does not fit the model", output.path()));
+}
+
+void Recorder::Impl::check_order(const Snapshot& snapshot) const {
   if (!std::isfinite(snapshot.time) || (frame_count > 0 && snapshot.time < last_time)) {
     throw RecordingError(
-        fmt::format("Cannot write \"{}\": frames are out of order at t = {} s.", output.path(), snapshot.time));
+        fmt::format("cannot write \"{}\": frames are out of order at t = {} s", output.path(), snapshot.time));
+  }
+}
+
+// Numbers are stored in single precision, where those beyond its range become infinite.
+void Recorder::Impl::check_numbers(const Snapshot& snapshot) const {
+  constexpr double kLargest = std::numeric_limits<float>::max();
+  const auto is_storable = [](const auto& values) {
+    return values.size() == 0 || (values.allFinite() && values.cwiseAbs().maxCoeff() < kLargest);
+  };
+  bool storable = true;
+  for (const Eigen::Matrix3Xd* m : {&snapshot.positions, &snapshot.velocities, &snapshot.gradients}) {
+    storable = storable && is_storable(*m);
+  }
+  storable = storable && is_storable(snapshot.tension) && is_storable(snapshot.strain);
+  for (const BodyState& body : snapshot.bodies) {
+    storable = storable && body.position.allFinite() && body.attitude.coeffs().allFinite() &&
+               body.velocity.allFinite() && body.angular_velocity.allFinite();
+  }
+  for (const ContactPoint& contact : snapshot.contacts) {
+    storable = storable && is_storable(contact.position) && is_storable(contact.force);
+  }
+  const Eigen::Map<const Eigen::VectorXd> channels(snapshot.channels.data(), kChannelCount);
+  if (!storable || !channels.allFinite()) {
+    throw RecordingError(fmt::format("cannot write \"{}\": the frame at t = {} s holds numbers that are not finite",
+                                     output.path(), snapshot.time));
   }
 }
 
 void Recorder::Impl::write(const Snapshot& snapshot) {
   check_sizes(snapshot);
+  check_order(snapshot);
+  check_numbers(snapshot);
   ensure_room();
   frames->append(snapshot);
   last_time = snapshot.time;
@@ -127,10 +167,25 @@ void Recorder::Impl::write(const Snapshot& snapshot) {
   if (frame_count == 1 || Clock::now() - last_flush >= kFlushInterval) flush();
 }
 
+void Recorder::Impl::write(const Checkpoint& checkpoint) {
+  if (!std::isfinite(checkpoint.time) || checkpoint.time < last_checkpoint_time) {
+    throw RecordingError(
+        fmt::format("cannot write \"{}\": checkpoints are out of order at t = {} s", output.path(), checkpoint.time));
+  }
+  checkpoints->append(checkpoint);
+  last_checkpoint_time = checkpoint.time;
+}
+
 void Recorder::Impl::flush() {
   if (frame_count == 0) return;
-  frames->flush(file.get());
-  output.publish();
+  frames->store_frames();
+  checkpoints->store_states();
+  checked(H5Fflush(file.get(), H5F_SCOPE_LOCAL), "flush the file");
+  output.sync();
+  frames->store_channels();
+  checkpoints->store_times();
+  output.sync();
+  if (frame_count >= published_from) output.publish();
   last_flush = Clock::now();
 }
 
@@ -142,6 +197,7 @@ void Recorder::Impl::close() {
     // The frames of the last flush are safe; a destructor cannot say more.
   }
   frames.reset();
+  checkpoints.reset();
   outcome.reset();
   file.reset();
   output.close();
@@ -155,8 +211,16 @@ Recorder::Recorder(const std::string& path, const RunOrigin& origin, const Struc
 
 Recorder::~Recorder() = default;
 
+void Recorder::hold_back(std::size_t frame_count) { impl_->published_from = std::max<std::size_t>(1, frame_count); }
+
+bool Recorder::is_published() const { return impl_->output.is_published(); }
+
 void Recorder::write(const Snapshot& snapshot) {
   impl_->guarded([&] { impl_->write(snapshot); });
+}
+
+void Recorder::write(const Checkpoint& checkpoint) {
+  impl_->guarded([&] { impl_->write(checkpoint); });
 }
 
 void Recorder::flush() {

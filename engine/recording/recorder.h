@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "engine/recording/checkpoint.h"
 #include "engine/recording/run_status.h"
 #include "engine/recording/snapshot.h"
 #include "engine/recording/structure.h"
@@ -42,11 +43,19 @@ class Recorder {
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  // Adds a frame. Its sizes are those of the structure; its time is not before the last frame's. At most one second of
-  // wall time after the previous flush, all frames are flushed: they survive the death of the program.
+  // For a recording that repeats an older one: it keeps its working name until it holds this many frames, and is
+  // removed when it ends with fewer. To be called before the first frame.
+  void hold_back(std::size_t frame_count);
+
+  // Adds a frame. Its sizes are those of the structure, its numbers are finite and its time is not before the last
+  // frame's. At most one second of wall time after the previous flush, all frames are flushed: they survive the death
+  // of the program and of the machine.
   void write(const Snapshot& snapshot);
+  // Adds a state from which the run can be resumed. Its time is not before the last checkpoint's.
+  void write(const Checkpoint& checkpoint);
   // Makes all frames survive now; for callers that pause.
   void flush();
+  bool is_published() const;  // under the name asked for
   // Stores how the run ended and closes the file. A recording without it is one whose program was killed. After a
   // failed write (disk full) the frames before remain, and finish() still stores the reason where there is room.
   void finish(const RunStatus& status, const RunStatistics& statistics);

@@ -8,6 +8,7 @@
 #include <optional>
 #include <sstream>
 
+#include "engine/recording/checkpoint_io.h"
 #include "engine/recording/hdf5_input.h"
 #include "engine/recording/layout.h"
 #include "engine/recording/outcome_io.h"
@@ -115,7 +116,7 @@ void Tables::check_rows(std::size_t frames) const {
 }
 
 std::string refusal(const std::string& path, const std::string& reason) {
-  return fmt::format("Cannot read \"{}\": {}.", path, reason);
+  return fmt::format("cannot read \"{}\": {}", path, reason);
 }
 
 }  // namespace
@@ -136,6 +137,7 @@ struct Recording::Impl {
   Structure structure;
   Outcome outcome;
   std::optional<Tables> tables;
+  std::optional<CheckpointReader> checkpoints;
   std::array<std::vector<double>, kChannelCount> channels;
 };
 
@@ -146,6 +148,7 @@ void Recording::Impl::open() {
   read_channels();
   tables.emplace(file, structure);
   tables->check_rows(channels[0].size());
+  checkpoints.emplace(file);
   complete_outcome();
 }
 
@@ -174,7 +177,7 @@ void Recording::Impl::complete_outcome() {
     return;
   }
   outcome.status.time = times.empty() ? 0 : times.back();
-  outcome.status.message = "The run was cut off, or is still going on.";
+  outcome.status.message = "the run was cut off, or is still going on";
   outcome.statistics.simulated_seconds = outcome.status.time;
   outcome.statistics.elements = static_cast<std::int32_t>(structure.elements.size());
   outcome.statistics.steps = times.empty() ? 0 : tables->step.read<std::int64_t>(times.size() - 1, 1)[0];
@@ -270,6 +273,24 @@ Snapshot Recording::frame(std::size_t index) const {
   silence_hdf5();
   try {
     return impl_->read_frame(index);
+  } catch (const Hdf5Error& error) {
+    throw RecordingError(refusal(path(), error.what()));
+  }
+}
+
+const std::vector<double>& Recording::checkpoint_times() const { return impl_->checkpoints->times(); }
+
+bool Recording::changes_strategy(std::size_t checkpoint) const {
+  return checkpoint < checkpoint_times().size() && impl_->checkpoints->changes_strategy(checkpoint);
+}
+
+Checkpoint Recording::checkpoint(std::size_t index) const {
+  if (index >= checkpoint_times().size()) {
+    throw RecordingError(refusal(path(), fmt::format("it has no checkpoint {}", index)));
+  }
+  silence_hdf5();
+  try {
+    return impl_->checkpoints->read(index);
   } catch (const Hdf5Error& error) {
     throw RecordingError(refusal(path(), error.what()));
   }

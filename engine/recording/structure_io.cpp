@@ -1,7 +1,11 @@
 #include "engine/recording/structure_io.h"
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
+#include "engine/bodies/triangle_mesh.h"
 #include "engine/recording/hdf5_output.h"
 
 namespace netpocket {
@@ -10,29 +14,77 @@ namespace {
 
 constexpr char kGroup[] = "/structure";
 
-// A shape is stored as its kind and three numbers.
+enum ShapeKind : std::uint8_t { kSphere, kBox, kCylinder, kSatellite, kMesh };
+
+// A shape is stored as its kind, its sizes and, for a mesh, the mesh's row.
 struct StoredShape {
   std::uint8_t kind;
-  Eigen::Vector3d size;
+  Eigen::Vector3d size = Eigen::Vector3d::Zero();
+  Eigen::Vector3d detail = Eigen::Vector3d::Zero();
+  std::int32_t mesh = -1;
 };
 
+using MeshPointer = std::shared_ptr<const TriangleMesh>;
+
 StoredShape store(const Shape& shape) {
-  if (const auto* sphere = std::get_if<Sphere>(&shape)) return {0, {sphere->radius, 0, 0}};
-  if (const auto* box = std::get_if<Box>(&shape)) return {1, box->size};
-  const auto& cylinder = std::get<Cylinder>(shape);
-  return {2, {cylinder.radius, cylinder.length, 0}};
+  if (const auto* sphere = std::get_if<Sphere>(&shape)) return {kSphere, {sphere->radius, 0, 0}};
+  if (const auto* box = std::get_if<Box>(&shape)) return {kBox, box->size};
+  if (const auto* cylinder = std::get_if<Cylinder>(&shape)) return {kCylinder, {cylinder->radius, cylinder->length, 0}};
+  if (const auto* satellite = std::get_if<Satellite>(&shape)) {
+    const Satellite::Dimensions& d = satellite->dimensions();
+    return {kSatellite, d.bus, {d.span, d.panel_width, d.dish_diameter}};
+  }
+  return {kMesh};
 }
 
-Shape restore(const StoredShape& stored) {
+Shape restore(const StoredShape& stored, const std::vector<MeshPointer>& meshes) {
   switch (stored.kind) {
-    case 0:
+    case kSphere:
       return Sphere{stored.size.x()};
-    case 1:
+    case kBox:
       return Box{stored.size};
-    case 2:
+    case kCylinder:
       return Cylinder{stored.size.x(), stored.size.y()};
+    case kSatellite:
+      return Satellite({stored.size, stored.detail.x(), stored.detail.y(), stored.detail.z()});
+    case kMesh:
+      if (stored.mesh < 0 || stored.mesh >= static_cast<std::int32_t>(meshes.size()))
+        throw Hdf5Error("a body names a mesh that does not exist");
+      return MeshShape{meshes[stored.mesh]};
   }
   throw Hdf5Error("a body has an unknown shape");
+}
+
+// Each mesh once, however many bodies have it.
+class MeshRows {
+ public:
+  std::int32_t row(const Shape& shape) {
+    const auto* mesh = std::get_if<MeshShape>(&shape);
+    if (!mesh) return -1;
+    const auto found = std::find(meshes_.begin(), meshes_.end(), mesh->mesh);
+    if (found != meshes_.end()) return static_cast<std::int32_t>(found - meshes_.begin());
+    meshes_.push_back(mesh->mesh);
+    return static_cast<std::int32_t>(meshes_.size() - 1);
+  }
+  const std::vector<MeshPointer>& meshes() const { return meshes_; }
+
+ private:
+  std::vector<MeshPointer> meshes_;
+};
+
+void write_meshes(hid_t group, const std::vector<MeshPointer>& meshes, ChunkCodec& codec) {
+  if (meshes.empty()) return;
+  std::vector<std::int32_t> sizes, triangles;
+  std::vector<double> vertices;
+  for (const MeshPointer& mesh : meshes) {
+    sizes.push_back(static_cast<std::int32_t>(mesh->vertices().size()));
+    sizes.push_back(static_cast<std::int32_t>(mesh->triangles().size()));
+    for (const Eigen::Vector3d& v : mesh->vertices()) vertices.insert(vertices.end(), v.begin(), v.end());
+    for (const Triangle& t : mesh->triangles()) triangles.insert(triangles.end(), t.begin(), t.end());
+  }
+  write_array(group, {"mesh_size", "", "vertices and triangles of each mesh", {2}}, sizes, codec);
+  write_array(group, {"mesh_vertices", "m", "of all meshes, body axes", {3}}, vertices, codec);
+  write_array(group, {"mesh_triangles", "", "corners, counted from the mesh's first vertex", {3}}, triangles, codec);
 }
 
 void write_elements(hid_t group, const std::vector<StructureElement>& elements, ChunkCodec& codec) {
@@ -60,20 +112,28 @@ void write_elements(hid_t group, const std::vector<StructureElement>& elements, 
 void write_bodies(hid_t group, const std::vector<StructureBody>& bodies, ChunkCodec& codec) {
   std::vector<std::string> names;
   std::vector<std::uint8_t> roles, shapes;
-  std::vector<double> sizes, masses;
+  std::vector<double> sizes, details, masses;
+  std::vector<std::int32_t> rows;
+  MeshRows meshes;
   for (const StructureBody& body : bodies) {
     const StoredShape shape = store(body.shape);
+    rows.push_back(meshes.row(body.shape));
     names.push_back(body.name);
     roles.push_back(static_cast<std::uint8_t>(body.role));
     shapes.push_back(shape.kind);
     sizes.insert(sizes.end(), shape.size.begin(), shape.size.end());
+    details.insert(details.end(), shape.detail.begin(), shape.detail.end());
     masses.push_back(body.mass);
   }
   write_texts(group, {"body_names", "", "names of the bodies"}, names, codec);
   write_array(group, {"body_role", "", "0 spacecraft, 1 target, 2 other"}, roles, codec);
-  write_array(group, {"body_shape", "", "0 sphere, 1 box, 2 cylinder along y"}, shapes, codec);
-  write_array(group, {"body_size", "m", "sphere: radius; box: edges; cylinder: radius, length", {3}}, sizes, codec);
+  write_array(group, {"body_shape", "", "0 sphere, 1 box, 2 cylinder along y, 3 satellite, 4 mesh"}, shapes, codec);
+  write_array(group, {"body_size", "m", "sphere: radius; box: edges; cylinder: radius, length; satellite: bus", {3}},
+              sizes, codec);
+  write_array(group, {"body_detail", "m", "satellite: span, panel width, dish diameter", {3}}, details, codec);
+  write_array(group, {"body_mesh", "", "row of mesh_size, -1 for other shapes"}, rows, codec);
   write_array(group, {"body_mass", "kg", "mass"}, masses, codec);
+  write_meshes(group, meshes.meshes(), codec);
 }
 
 std::string at(const char* name) { return std::string(kGroup) + "/" + name; }
@@ -108,16 +168,49 @@ std::vector<StructureElement> read_elements(const InputFile& file) {
   return elements;
 }
 
+std::vector<MeshPointer> read_meshes(const InputFile& file) {
+  if (!file.has(at("mesh_size"))) return {};
+  const auto sizes = read_array<std::int32_t>(file, at("mesh_size"), {2});
+  const auto vertices = read_array<double>(file, at("mesh_vertices"), {3});
+  const auto corners = read_array<std::int32_t>(file, at("mesh_triangles"), {3});
+  std::vector<MeshPointer> meshes;
+  std::size_t vertex = 0, triangle = 0;
+  for (std::size_t i = 0; i < sizes.size(); i += 2) {
+    if (sizes[i] < 0 || sizes[i + 1] < 0 || vertices.size() / 3 - vertex < static_cast<std::size_t>(sizes[i]) ||
+        corners.size() / 3 - triangle < static_cast<std::size_t>(sizes[i + 1])) {
+      throw Hdf5Error("a mesh is larger than what is stored of it");
+    }
+    MeshData data;
+    for (std::int32_t k = 0; k < sizes[i]; ++k, ++vertex)
+      data.vertices.emplace_back(vertices[3 * vertex], vertices[3 * vertex + 1], vertices[3 * vertex + 2]);
+    for (std::int32_t k = 0; k < sizes[i + 1]; ++k, ++triangle)
+      data.triangles.push_back({corners[3 * triangle], corners[3 * triangle + 1], corners[3 * triangle + 2]});
+    auto mesh = TriangleMesh::make(std::move(data));
+    if (const auto* problem = std::get_if<std::string>(&mesh)) throw Hdf5Error("a mesh " + *problem);
+    meshes.push_back(std::get<MeshPointer>(std::move(mesh)));
+  }
+  return meshes;
+}
+
 std::vector<StructureBody> read_bodies(const InputFile& file) {
   const auto names = read_texts(file, at("body_names"));
-  const auto roles = read_rows<std::uint8_t>(file, "body_role", names.size());
-  const auto shapes = read_rows<std::uint8_t>(file, "body_shape", names.size());
-  const auto sizes = read_rows<double>(file, "body_size", names.size(), {3});
-  const auto masses = read_rows<double>(file, "body_mass", names.size());
-  std::vector<StructureBody> bodies(names.size());
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const StoredShape shape = {shapes[i], Eigen::Vector3d(sizes[3 * i], sizes[3 * i + 1], sizes[3 * i + 2])};
-    bodies[i] = {names[i], static_cast<BodyRole>(roles[i]), restore(shape), masses[i]};
+  const std::size_t count = names.size();
+  const auto roles = read_rows<std::uint8_t>(file, "body_role", count);
+  const auto shapes = read_rows<std::uint8_t>(file, "body_shape", count);
+  const auto sizes = read_rows<double>(file, "body_size", count, {3});
+  const auto masses = read_rows<double>(file, "body_mass", count);
+  // Files from before satellites and meshes have neither.
+  const bool has_details = file.has(at("body_detail"));
+  const auto details =
+      has_details ? read_rows<double>(file, "body_detail", count, {3}) : std::vector<double>(3 * count);
+  const auto rows = file.has(at("body_mesh")) ? read_rows<std::int32_t>(file, "body_mesh", count)
+                                              : std::vector<std::int32_t>(count, -1);
+  const std::vector<MeshPointer> meshes = read_meshes(file);
+  std::vector<StructureBody> bodies(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const StoredShape shape = {shapes[i], Eigen::Vector3d(sizes[3 * i], sizes[3 * i + 1], sizes[3 * i + 2]),
+                               Eigen::Vector3d(details[3 * i], details[3 * i + 1], details[3 * i + 2]), rows[i]};
+    bodies[i] = {names[i], static_cast<BodyRole>(roles[i]), restore(shape, meshes), masses[i]};
   }
   return bodies;
 }
@@ -141,8 +234,12 @@ std::string find_element_fault(const StructureElement& e, const Structure& struc
 }
 
 bool has_valid_size(const StructureBody& body) {
-  const Eigen::Vector3d size = store(body.shape).size;
-  return size.allFinite() && size.minCoeff() >= 0 && is_size(body.mass);
+  const StoredShape shape = store(body.shape);
+  for (const Eigen::Vector3d& size : {shape.size, shape.detail}) {
+    if (!size.allFinite() || size.minCoeff() < 0) return false;
+  }
+  const bool folded = shape.kind == kSatellite && shape.detail.x() <= shape.size.x();
+  return !folded && is_size(body.mass);
 }
 
 }  // namespace

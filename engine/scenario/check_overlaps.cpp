@@ -18,22 +18,17 @@ constexpr int kSamples = 40;  // along each edge of a sampled surface
 // too large outside.
 using Distance = std::function<double(const Eigen::Vector3d&)>;
 
-Distance distance_from_target(const TargetParameters& target) {
+Distance distance_from_target(const TargetParameters& target, const Shape& shape) {
   const double angle = target.attitude.norm();
   const Eigen::AngleAxisd to_world(angle,
                                    angle > 0 ? Eigen::Vector3d(target.attitude / angle) : Eigen::Vector3d::UnitY());
   const Eigen::Matrix3d to_body = to_world.toRotationMatrix().transpose();
-  return [target, to_body](const Eigen::Vector3d& point) {
-    const Eigen::Vector3d p = to_body * (point - target.position);
-    switch (target.shape) {
-      case TargetShape::sphere:
-        break;
-      case TargetShape::box:
-        return (p.cwiseAbs() - target.size / 2).maxCoeff();
-      case TargetShape::cylinder:
-        return std::max(std::hypot(p.x(), p.z()) - target.radius, std::abs(p.y()) - target.length / 2);
-    }
-    return p.norm() - target.radius;
+  const double radius = bounding_radius(shape);
+  return [target, &shape, radius, to_body](const Eigen::Vector3d& point) {
+    const Eigen::Vector3d arm = point - target.position;
+    const double least = arm.norm() - radius;
+    constexpr double kFar = 1.0;  // m, where the distance need not be exact
+    return least > kFar ? least : nearest_surface_point(shape, to_body * arm).distance;
   };
 }
 
@@ -93,8 +88,8 @@ std::string place(const Deepest& deepest) {
 
 }  // namespace
 
-void check_overlaps(const Scenario& scenario, Diagnostics& diagnostics) {
-  const Distance target = distance_from_target(scenario.target);
+void check_overlaps(const Scenario& scenario, const Shape& target_shape, Diagnostics& diagnostics) {
+  const Distance target = distance_from_target(scenario.target, target_shape);
   const Distance spacecraft = distance_from_spacecraft(scenario.spacecraft);
 
   const auto net_in_target =

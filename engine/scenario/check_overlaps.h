@@ -1,6 +1,7 @@
 #pragma once
 // Whether the bodies of a scenario start clear of the pocket and of each other.
 
+#include "engine/bodies/shape.h"
 #include "engine/scenario/diagnostics.h"
 #include "engine/scenario/scenario.h"
 
@@ -8,6 +9,6 @@ namespace netpocket {
 
 // Adds a diagnostic for each pair of target, spacecraft and pocket that overlaps, with the place and the depth.
 // Surfaces are sampled, at about 1/40 of a panel and of the spacecraft's edges. The rods' profile must be valid.
-void check_overlaps(const Scenario& scenario, Diagnostics& diagnostics);
+void check_overlaps(const Scenario& scenario, const Shape& target_shape, Diagnostics& diagnostics);
 
 }  // namespace netpocket

@@ -6,10 +6,12 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <variant>
 
 #include "engine/scenario/check_overlaps.h"
 #include "engine/scenario/parameter_text.h"
 #include "engine/scenario/pocket_outline.h"
+#include "engine/scenario/target_shape.h"
 
 namespace netpocket {
 namespace {
@@ -22,15 +24,17 @@ class Checker {
     check_limits();
     if (!found_.ok()) return found_;
     check_inertia("spacecraft.inertia", s_.spacecraft.inertia);
-    check_inertia("target.inertia", s_.target.inertia);
+    if (s_.target.inertia_from == InertiaSource::given) check_inertia("target.inertia", s_.target.inertia);
     check_sections();
     check_output();
     check_profile();
+    const auto shape = target_shape(s_);
+    if (const auto* problem = std::get_if<Diagnostic>(&shape)) found_.add(*problem);
     if (!found_.ok()) return found_;
-    // What follows needs a valid profile.
+    // What follows needs a valid profile and shape.
     check_mesh();
     check_closing();
-    check_overlaps(s_, found_);
+    check_overlaps(s_, std::get<Shape>(shape), found_);
     return found_;
   }
 

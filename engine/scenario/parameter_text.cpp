@@ -14,6 +14,8 @@ template <typename... Lambdas>
 struct Overloaded : Lambdas... {
   using Lambdas::operator()...;
 };
+template <typename... Lambdas>
+Overloaded(Lambdas...) -> Overloaded<Lambdas...>;  // Clang 14 does not deduce it
 
 // The fewest digits that read back as the same double; 12e9 for 12000000000 and 1e-5 for 1e-05.
 std::string number_text(double number) {

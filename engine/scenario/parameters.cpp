@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <type_traits>
 #include <utility>
+
+#include "engine/scenario/edit_distance.h"
 
 namespace netpocket {
 namespace {
@@ -15,7 +16,11 @@ using namespace std::string_view_literals;
 template <typename Enum>
 constexpr std::array<std::string_view, 0> kNames{};
 template <>
-constexpr std::array kNames<TargetShape> = {"sphere"sv, "box"sv, "cylinder"sv};
+constexpr std::array kNames<TargetShape> = {"sphere"sv, "box"sv, "cylinder"sv, "satellite"sv, "mesh"sv};
+template <>
+constexpr std::array kNames<MeshUnit> = {"m"sv, "cm"sv, "mm"sv, "inch"sv, "foot"sv};
+template <>
+constexpr std::array kNames<InertiaSource> = {"given"sv, "shape"sv};
 template <>
 constexpr std::array kNames<ClosingLaw> = {"cycloid"sv, "quintic"sv, "trapezoid"sv, "linear"sv, "table"sv};
 template <>
@@ -134,6 +139,7 @@ constexpr std::array kParameters = {
     parameter<kPocket, &Pocket::mesh_columns>("pocket.mesh_columns", within(1, 100), "", "cells across a panel at the kink; also rows of its triangular part", kAssumption),
     parameter<kPocket, &Pocket::mesh_rows>("pocket.mesh_rows", within(1, 100), "", "rows of the square part of a panel, from kink to tip", kAssumption),
     parameter<kPocket, &Pocket::elements_per_side>("pocket.elements_per_side", within(1, 20), "", "cable elements on a side of a mesh", kAssumption),
+    parameter<kPocket, &Pocket::bow>("pocket.bow", within(0, 0.05), "", "rise of a mesh side at its middle, part of its length: no cord is straight; 0 leaves it to round-off how cords buckle", "assumption: sensitivity to imperfections, Koiter 1945"),
 
     parameter<kNet, &Cord::diameter>("net.diameter", within(1e-5, 0.1), "m", "diameter of a cord", kTable2),
     parameter<kNet, &Cord::density>("net.density", within(1e-6, 1e6), "kg/m^3", "density", kTable2),
@@ -172,10 +178,16 @@ constexpr std::array kParameters = {
 
     parameter<kTarget, &Target::shape>("target.shape", kNone, "", "shape", kAssumption),
     parameter<kTarget, &Target::radius>("target.radius", within(1e-2, 1e3), "m", "radius of a sphere or cylinder", kAssumption),
-    parameter<kTarget, &Target::size>("target.size", within(1e-2, 1e3), "m", "edges of a box", kAssumption),
+    parameter<kTarget, &Target::size>("target.size", within(1e-2, 1e3), "m", "edges of a box or of a satellite's bus", kAssumption),
     parameter<kTarget, &Target::length>("target.length", within(1e-2, 1e3), "m", "length of a cylinder, along its y axis", kAssumption),
+    parameter<kTarget, &Target::span>("target.span", within(1e-2, 1e3), "m", "length of a satellite from tip to tip of its solar panels, along its x axis", kAssumption),
+    parameter<kTarget, &Target::panel_width>("target.panel_width", within(1e-2, 1e3), "m", "width of a satellite's solar panels, along its y axis", kAssumption),
+    parameter<kTarget, &Target::dish_diameter>("target.dish_diameter", within(1e-2, 1e3), "m", "diameter of a satellite's dish, at the +y side of its bus", kAssumption),
+    parameter<kTarget, &Target::mesh_file>("target.mesh_file", within(0, 1000), "", "mesh: STL or OBJ file in the scenario's folder or below; its centre of mass becomes the body's", "user's choice"),
+    parameter<kTarget, &Target::mesh_unit>("target.mesh_unit", kNone, "", "mesh: unit of the file's coordinates", kAssumption),
     parameter<kTarget, &Target::mass>("target.mass", within(1e-3, 1e7), "kg", "mass", kTable1),
     parameter<kTarget, &Target::inertia>("target.inertia", within(1e-6, 1e10), "kg m^2", "principal moments of inertia about the centre of mass, body axes", kTable1),
+    parameter<kTarget, &Target::inertia_from>("target.inertia_from", kNone, "", "given: target.inertia; shape: that of the shape filled evenly with the mass", kAssumption),
     parameter<kTarget, &Target::position>("target.position", within(-1e4, 1e4), "m", "centre of mass at the start", "paper, section 4.2"),
     parameter<kTarget, &Target::attitude>("target.attitude", within(-10, 10), "rad", "rotation vector that turns the world axes into the body axes at the start", kAssumption),
     parameter<kTarget, &Target::velocity>("target.velocity", within(-100, 100), "m/s", "velocity of the centre of mass at the start", "paper, section 4.2: at rest"),
@@ -214,27 +226,13 @@ constexpr std::array kParameters = {
 };
 // clang-format on
 
-std::size_t edit_distance(std::string_view from, std::string_view to) {
-  std::vector<std::size_t> row(to.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i + 1);
-    for (std::size_t j = 0; j < to.size(); ++j) {
-      const std::size_t replaced = diagonal + (from[i] == to[j] ? 0 : 1);
-      diagonal = std::exchange(row[j + 1], std::min({replaced, row[j] + 1, row[j + 1] + 1}));
-    }
-  }
-  return row[to.size()];
-}
-
 // The candidate with the lowest score, if that is low enough for a slip of the pen.
 template <typename Candidates, typename NameOf, typename Score>
 std::optional<std::string_view> nearest(const Candidates& candidates, NameOf name_of, std::string_view unknown,
                                         Score score) {
-  constexpr std::size_t kLongestName = 64;  // bounds the effort
-  if (unknown.empty() || unknown.size() > kLongestName) return std::nullopt;
+  if (unknown.empty() || unknown.size() > kLongestComparedName) return std::nullopt;
   std::string_view best;
-  auto lowest = std::pair(std::max<std::size_t>(2, unknown.size() / 3) + 1, std::size_t{0});
+  auto lowest = std::pair(largest_slip(unknown) + 1, std::size_t{0});
   for (const auto& candidate : candidates) {
     const std::string_view name = name_of(candidate);
     if (const auto now = score(name); now < lowest) {

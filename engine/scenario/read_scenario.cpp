@@ -176,12 +176,18 @@ ScenarioResult read_over(Scenario defaults, std::string_view text, const std::st
 
 ScenarioResult read_scenario_text(std::string_view text, const std::string& name) { return read_over({}, text, name); }
 
+std::string folder_of(const std::string& path) {
+  std::error_code error;
+  return std::filesystem::absolute(path, error).parent_path().string();
+}
+
 ScenarioResult read_scenario_file(const std::string& path) {
   auto loaded = load(path);
   if (auto* problem = std::get_if<Diagnostic>(&loaded)) return {.diagnostics = single(std::move(*problem))};
   Scenario defaults;
   const std::string stem = std::filesystem::path(path).stem().string();
   if (!limit_problem(*find_parameter("name"), stem)) defaults.name = stem;
+  defaults.files.folder = folder_of(path);
   return read_over(std::move(defaults), std::get<std::string>(loaded), path);
 }
 
@@ -212,7 +218,9 @@ Diagnostics apply_setting(Scenario& scenario, std::string_view setting) {
   if (!parameter) {
     return single({.message = excerpt(key) + " " + unknown_text("a parameter", nearest_parameter_key(key))});
   }
-  return set_parameter(scenario, *parameter, setting.substr(equals + 1));
+  Diagnostics problems = set_parameter(scenario, *parameter, setting.substr(equals + 1));
+  if (problems.ok() && key == "target.mesh_file") scenario.files.allows_absolute = true;
+  return problems;
 }
 
 }  // namespace netpocket

@@ -9,7 +9,9 @@
 
 namespace netpocket {
 
-enum class TargetShape { sphere, box, cylinder };
+enum class TargetShape { sphere, box, cylinder, satellite, mesh };
+enum class MeshUnit { metre, centimetre, millimetre, inch, foot };
+enum class InertiaSource { given, shape };
 enum class ClosingLaw { cycloid, quintic, trapezoid, linear, table };
 enum class TowingMode { none, force, acceleration, velocity };
 enum class StationKeeping { free, attitude, lateral };
@@ -31,6 +33,7 @@ struct PocketParameters {
   int mesh_columns = 6;       // cells across a panel at the kink row; also rows of the triangular part
   int mesh_rows = 6;          // rows of the square part
   int elements_per_side = 2;  // cable elements per mesh side
+  double bow = 1e-3;          // rise of a mesh side's bow, part of its length
 };
 
 struct RodParameters {
@@ -59,16 +62,22 @@ struct SpacecraftParameters {
 
 struct TargetParameters {
   TargetShape shape = TargetShape::sphere;
-  double radius = 4.5;                           // m, sphere and cylinder
-  Eigen::Vector3d size = {6, 6, 6};              // m, box edge lengths
-  double length = 6;                             // m, cylinder (axis: body y)
-  double mass = 200;                             // kg
-  Eigen::Vector3d inertia = {1210, 1210, 1210};  // kg m^2, body axes
-  Eigen::Vector3d position = {0, 7.5, 0};        // m, centre of mass
-  Eigen::Vector3d attitude = {0, 0, 0};          // rad, rotation vector from world to body axes
-  Eigen::Vector3d velocity = {0, 0, 0};          // m/s
-  Eigen::Vector3d spin = {0, 0, 0};              // rad/s, world axes
-  double youngs_modulus = 70e9;                  // Pa, for the contact stiffness
+  double radius = 4.5;                                // m, sphere and cylinder
+  Eigen::Vector3d size = {6, 6, 6};                   // m, edges of a box, or of a satellite's bus
+  double length = 6;                                  // m, cylinder (axis: body y)
+  double span = 8.4;                                  // m, satellite: from tip to tip of its panels (along body x)
+  double panel_width = 1.7;                           // m, satellite: of its panels (along body y)
+  double dish_diameter = 1.6;                         // m, satellite: of its dish (at body +y)
+  std::string mesh_file;                              // mesh: STL or OBJ, from the folder of the scenario
+  MeshUnit mesh_unit = MeshUnit::metre;               // mesh: of the file's coordinates
+  double mass = 200;                                  // kg
+  Eigen::Vector3d inertia = {1210, 1210, 1210};       // kg m^2, body axes
+  InertiaSource inertia_from = InertiaSource::given;  // shape: that of the shape filled evenly with the mass
+  Eigen::Vector3d position = {0, 7.5, 0};             // m, centre of mass
+  Eigen::Vector3d attitude = {0, 0, 0};               // rad, rotation vector from world to body axes
+  Eigen::Vector3d velocity = {0, 0, 0};               // m/s
+  Eigen::Vector3d spin = {0, 0, 0};                   // rad/s, world axes
+  double youngs_modulus = 70e9;                       // Pa, for the contact stiffness
   double poisson_ratio = 0.33;
 };
 
@@ -91,10 +100,10 @@ struct ClosingParameters {
 
 struct TowingParameters {
   TowingMode mode = TowingMode::acceleration;
-  double start = 10;    // s
-  double duration = 4;  // s, length of the thrust or of the ramp
-  double size = 0.01;   // N, m/s^2 or m/s by mode; pulls towards -Y
-  double offset = 0.005;                            // m, of the line of thrust from the axis, along +X
+  double start = 10;      // s
+  double duration = 4;    // s, length of the thrust or of the ramp
+  double size = 0.01;     // N, m/s^2 or m/s by mode; pulls towards -Y
+  double offset = 0.005;  // m, of the line of thrust from the axis, along +X
 };
 
 struct SolverParameters {
@@ -111,6 +120,12 @@ struct OutputParameters {
   double frame_rate = 50;  // recorded frames per simulated second
 };
 
+// Where files that a scenario names may be. Not a parameter: it comes from where the scenario comes from.
+struct FileScope {
+  std::string folder;            // of the scenario's file; empty: it has none, and relative names lead nowhere
+  bool allows_absolute = false;  // the user named the file himself, on the command line
+};
+
 struct Scenario {
   std::string name = "case1";
   std::string description;
@@ -125,6 +140,7 @@ struct Scenario {
   TowingParameters towing;
   SolverParameters solver;
   OutputParameters output;
+  FileScope files;
 };
 
 }  // namespace netpocket

@@ -38,6 +38,7 @@ Action declare_report(CLI::App& app);
 Action declare_export(CLI::App& app);
 Action declare_info(CLI::App& app);
 Action declare_findings(CLI::App& app);
+Action declare_study(CLI::App& app);
 Action declare_backends(CLI::App& app);
 Action declare_workbench(CLI::App& app);  // in programs built with the workbench
 

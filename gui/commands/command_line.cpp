@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <csignal>
 #include <sstream>
 
 #include "engine/recording/recorder.h"
@@ -34,6 +35,7 @@ constexpr std::array kCommands = {
     Command{"export", "write a recording as CSV or for ParaView", declare_export},
     Command{"info", "what a recording holds and came to", declare_info},
     Command{"findings", "whether recordings show what the paper found", declare_findings},
+    Command{"study", "run many variations of a scenario side by side and tabulate them", declare_study},
     Command{"backends", "which ways to draw without a display there are", declare_backends},
 };
 
@@ -186,6 +188,8 @@ ExitCode run_guarded(const std::vector<std::string>& arguments) {
 }  // namespace
 
 int run_command_line(int argc, const char* const* argv) {
+  // A limit on the size of files is an error to report, not a reason to die.
+  std::signal(SIGXFSZ, SIG_IGN);
   return static_cast<int>(run_guarded({argv + std::min(argc, 1), argv + argc}));
 }
 

@@ -4,10 +4,14 @@
 
 #include <array>
 #include <cmath>
+#include <variant>
 
+#include "engine/bodies/shape.h"
+#include "engine/bodies/triangle_mesh.h"
 #include "engine/dynamics/simulation.h"
 #include "engine/pocket/pocket.h"
 #include "engine/scenario/closing_law.h"
+#include "engine/scenario/parameter_text.h"
 #include "engine/scenario/parameters.h"
 #include "engine/scenario/pocket_outline.h"
 
@@ -59,6 +63,29 @@ std::string towing(const Scenario& scenario) {
   return fmt::format("from t = {:g} s ({})", scenario.towing.start, mode);
 }
 
+// "mesh, 1280 triangles, ...".
+std::string target_line(const Scenario& scenario, const Shape& shape) {
+  std::string text = choice_text(scenario, "target.shape");
+  if (const auto* solid = std::get_if<MeshShape>(&shape)) {
+    const TriangleMesh& mesh = *solid->mesh;
+    const Eigen::Vector3d& centre = mesh.centre_in_file();
+    text += fmt::format(" {}, {} triangles, {} vertices, centre of mass at ({:.4g}, {:.4g}, {:.4g}) m of the file",
+                        netpocket::quoted(scenario.target.mesh_file), mesh.triangles().size(), mesh.vertices().size(),
+                        centre.x(), centre.y(), centre.z());
+  }
+  const Eigen::Vector3d size = extents(shape).sizes();
+  return text +
+         fmt::format(", {:.4g} x {:.4g} x {:.4g} m, volume {:.4g} m^3", size.x(), size.y(), size.z(), volume(shape));
+}
+
+std::string inertia_line(const Scenario& scenario, const Eigen::Matrix3d& inertia) {
+  const std::string diagonal = fmt::format("{:.5g}, {:.5g}, {:.5g}", inertia(0, 0), inertia(1, 1), inertia(2, 2));
+  const std::string products = inertia.isDiagonal() ? ""
+                                                    : fmt::format(", I_xy {:.4g}, I_yz {:.4g}, I_zx {:.4g}",
+                                                                  inertia(0, 1), inertia(1, 2), inertia(2, 0));
+  return fmt::format("{}{} kg m^2 ({})", diagonal, products, choice_text(scenario, "target.inertia_from"));
+}
+
 }  // namespace
 
 std::string model_report(const Scenario& scenario) {
@@ -77,6 +104,9 @@ std::string model_report(const Scenario& scenario) {
   text += line("coordinates", fmt::format("{}", statistics.coordinates));
   text += line("evaluation", statistics.evaluation);
   text += line("masses", masses(pocket.model, cables));
+  const ModelBody& target = pocket.model.bodies[pocket.target];
+  text += line("target", target_line(scenario, target.shape));
+  text += line("target inertia", inertia_line(scenario, target.inertia));
   text += line("closing", closing(scenario));
   text += line("towing", towing(scenario));
   text +=

@@ -107,13 +107,15 @@ CLI::Validator is_picture_size() {
   return {check, "", "is_picture_size"};
 }
 
-void add_scenario_options(CLI::App& app, ScenarioChoice& choice) {
-  app.add_option("SCENARIO", choice.path, "scenario file (TOML); scenarios/REFERENCE.md lists its keys")
-      ->required()
-      ->type_name("FILE");
+CLI::Option* add_scenario_options(CLI::App& app, ScenarioChoice& choice) {
+  CLI::Option* scenario =
+      app.add_option("SCENARIO", choice.path, "scenario file (TOML); scenarios/REFERENCE.md lists its keys")
+          ->required()
+          ->type_name("FILE");
   app.add_option("--set", choice.settings, "set a parameter, e.g. closing.duration=5; may be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+  return scenario;
 }
 
 Scenario load_scenario(const ScenarioChoice& choice) {

@@ -33,7 +33,8 @@ struct ScenarioChoice {
   std::string path;
   std::vector<std::string> settings;  // "key=value"
 };
-void add_scenario_options(CLI::App& app, ScenarioChoice& choice);
+// Returns the positional option.
+CLI::Option* add_scenario_options(CLI::App& app, ScenarioChoice& choice);
 
 // Reads, applies the settings, then checks. Throws CommandError(bad_input) with all problems.
 Scenario load_scenario(const ScenarioChoice& choice);

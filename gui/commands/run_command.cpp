@@ -5,11 +5,14 @@
 
 #include "engine/dynamics/run.h"
 #include "engine/recording/report.h"
+#include "engine/scenario/parameter_text.h"
+#include "engine/scenario/read_scenario.h"
 #include "gui/commands/command.h"
 #include "gui/commands/interrupt.h"
 #include "gui/commands/options.h"
 #include "gui/commands/progress_line.h"
 #include "gui/commands/recordings.h"
+#include "gui/commands/run_log.h"
 #include "gui/commands/version.h"
 
 namespace netpocket {
@@ -19,14 +22,20 @@ constexpr const char* kExamples = R"(Examples:
   netpocket run scenarios/case1.toml -o case1.h5
   netpocket run scenarios/case1.toml -o fast.h5 --set closing.duration=5 --until 15
 
-Ctrl-C ends a run cleanly: what was recorded is kept.
+  netpocket run --resume case1.h5
+  netpocket run --resume case1.h5 --until 40
+
+Ctrl-C ends a run cleanly: what was recorded is kept. --resume goes on from the last checkpoint (one for each simulated
+second) of a run that was interrupted or killed and gives, to the last bit, what it would have given without that. It
+is refused when the scenario or the program is another. RUN.log, beside the recording, says what was run and how it went.
 
 )";
 
 struct RunChoice {
   ScenarioChoice scenario;
   std::string output;
-  double until = 0;  // 0: as the scenario says
+  std::string resumed;  // recording to go on with; empty: from the start
+  double until = 0;     // 0: as the scenario says
   int threads = 1;
   bool overwrite = false;
   bool quiet = false;
@@ -55,32 +64,126 @@ ExitCode report_ending(const RunStatus& status, const std::string& path) {
   }
 }
 
-ExitCode run(const RunChoice& choice, const std::string& command_line) {
-  ScenarioChoice scenario_choice = choice.scenario;
-  if (choice.until > 0) scenario_choice.settings.push_back(fmt::format("output.end_time={}", choice.until));
-  const Scenario scenario = load_scenario(scenario_choice);
+// Runs `simulate` with a progress line, a log and an eye on Ctrl-C, then reports.
+template <typename Simulate>
+ExitCode run_watched(const RunChoice& choice, RunLog& log, const Simulate& simulate) {
+  const Interrupt interrupt;
+  const auto result = [&] {
+    ProgressLine line(!choice.quiet);
+    const auto show = [&](const RunProgress& p) {
+      line.update(p.time / p.end_time, progress_text(p));
+      log.note_progress(p);
+    };
+    try {
+      return simulate(RunCallback(show), interrupt.token());
+    } catch (const std::exception& error) {
+      log.note_failure(error.what());
+      throw;
+    }
+  }();
+  log.note_end(result);
+  if (!result.recorded) {
+    throw CommandError(ExitCode::interrupted,
+                       fmt::format("{} at t = {:.4g} s, before it came further than \"{}\", which is as it was",
+                                   result.status.message, result.status.time, choice.output));
+  }
+  const ExitCode code = report_ending(result.status, choice.output);
+  if (!choice.quiet) fmt::print("{}", summary_text(open_recording(choice.output)));
+  return code;
+}
+
+void require_new_file(const RunChoice& choice) {
   require_writable(choice.output);
   if (!choice.overwrite && std::filesystem::exists(choice.output)) {
     throw CommandError(ExitCode::io, fmt::format("\"{}\" exists already; --overwrite replaces it", choice.output));
   }
-  const RunOptions options = {choice.threads, choice.overwrite, program_version(), program_commit(), command_line};
-  const Interrupt interrupt;
-  const auto result = [&] {
-    ProgressLine line(!choice.quiet);
-    const auto show = [&](const RunProgress& p) { line.update(p.time / p.end_time, progress_text(p)); };
-    return run_to_recording(scenario, choice.output, options, show, interrupt.token());
-  }();
-  const ExitCode code = report_ending(result.status, choice.output);
-  if (!choice.quiet) fmt::print("{}", summary_text(open_recording(choice.output)));
-  return code;
+}
+
+RunOptions run_options(const RunChoice& choice, const std::string& command_line) {
+  return {choice.threads, choice.overwrite, program_version(), program_commit(), command_line};
+}
+
+ExitCode start(const RunChoice& choice, const std::string& command_line) {
+  ScenarioChoice scenario_choice = choice.scenario;
+  if (choice.until > 0) scenario_choice.settings.push_back(fmt::format("output.end_time={}", choice.until));
+  const Scenario scenario = load_scenario(scenario_choice);
+  require_new_file(choice);
+  RunLog log(log_path(choice.output));
+  log.note_program(command_line, choice.threads);
+  log.note_scenario(scenario, choice.output);
+  return run_watched(choice, log, [&](const RunCallback& show, const std::stop_token& stop) {
+    return run_to_recording(scenario, choice.output, run_options(choice, command_line), show, stop);
+  });
+}
+
+// The scenario that a recording was made with.
+Scenario recorded_scenario(const Recording& recording) {
+  const ScenarioResult result = read_scenario_text(recording.origin().scenario_text, recording.path());
+  if (!result.ok()) throw CommandError(ExitCode::bad_input, result.diagnostics.text());
+  return result.scenario;
+}
+
+// A scenario that is named along with --resume must be the recorded one; only the end may differ.
+void require_same_scenario(const ScenarioChoice& choice, const Scenario& recorded, const std::string& path) {
+  if (choice.path.empty()) {
+    if (choice.settings.empty()) return;
+    throw CommandError(ExitCode::usage, "--set needs a scenario; a resumed run keeps the one that was recorded");
+  }
+  const Scenario wanted = load_scenario(choice);
+  for (const Parameter& parameter : parameters()) {
+    if (parameter.key == "output.end_time" || parameter.get(wanted) == parameter.get(recorded)) continue;
+    throw CommandError(ExitCode::bad_input, fmt::format("cannot resume \"{}\": {} is {} in \"{}\" and was {}", path,
+                                                        parameter.key, toml_text(parameter, parameter.get(wanted)),
+                                                        choice.path, toml_text(parameter, parameter.get(recorded))));
+  }
+}
+
+ExitCode resume(RunChoice choice, const std::string& command_line) {
+  const bool in_place = choice.output.empty() || choice.output == choice.resumed;
+  if (in_place) {
+    choice.output = choice.resumed;
+    choice.overwrite = true;
+  }
+  require_new_file(choice);
+  double time = 0;
+  Scenario scenario;
+  {
+    const Recording recording = open_recording(choice.resumed);
+    scenario = recorded_scenario(recording);
+    require_same_scenario(choice.scenario, scenario, choice.resumed);
+    if (choice.until > 0) scenario.output.end_time = choice.until;
+    if (recording.status().reason == RunReason::finished &&
+        recording.status().time >= scenario.output.end_time - 1e-9) {
+      fmt::print("\"{}\" is complete at t = {:.6g} s; --until goes on from there\n", choice.resumed,
+                 recording.status().time);
+      return ExitCode::ok;
+    }
+    if (!recording.checkpoint_times().empty()) time = recording.checkpoint_times().back();
+  }
+  RunLog log(log_path(choice.output));
+  log.note_program(command_line, choice.threads);
+  log.note_scenario(scenario, choice.output);
+  log.note_resumed(choice.resumed, time);
+  try {
+    return run_watched(choice, log, [&](const RunCallback& show, const std::stop_token& stop) {
+      return resume_recording(choice.resumed, choice.output, run_options(choice, command_line), choice.until, show,
+                              stop);
+    });
+  } catch (const ResumeError& error) {
+    throw CommandError(ExitCode::bad_input, fmt::format("cannot resume \"{}\": {}", choice.resumed, error.what()));
+  }
 }
 
 }  // namespace
 
 Action declare_run(CLI::App& app) {
   const auto choice = std::make_shared<RunChoice>();
-  add_scenario_options(app, choice->scenario);
-  app.add_option("-o,--output", choice->output, "recording to write (HDF5)")->required()->type_name("RUN.h5");
+  CLI::Option* scenario = add_scenario_options(app, choice->scenario);
+  app.add_option("-o,--output", choice->output, "recording to write (HDF5); with --resume: instead of the same one")
+      ->type_name("RUN.h5");
+  app.add_option("--resume", choice->resumed, "go on with a recording from its last checkpoint")->type_name("RUN.h5");
+  // One of the two is needed, which is checked when all is parsed.
+  scenario->required(false);
   app.add_option("--until", choice->until, "simulated time at which the run ends, s; instead of output.end_time")
       ->type_name("T")
       ->check(positive_number());
@@ -92,7 +195,14 @@ Action declare_run(CLI::App& app) {
   app.add_flag("--quiet", choice->quiet, "no progress and no summary");
   app.footer(kExamples +
              exit_code_help({ExitCode::bad_input, ExitCode::diverged, ExitCode::io, ExitCode::interrupted}));
-  return [choice](const std::string& command_line) { return run(*choice, command_line); };
+  return [choice](const std::string& command_line) {
+    if (!choice->resumed.empty()) return resume(*choice, command_line);
+    for (const auto& [value, name] : {std::pair(choice->scenario.path, "SCENARIO"), {choice->output, "--output"}}) {
+      if (value.empty())
+        throw CommandError(ExitCode::usage, fmt::format("{} is required; see netpocket run --help", name));
+    }
+    return start(*choice, command_line);
+  };
 }
 
 }  // namespace netpocket

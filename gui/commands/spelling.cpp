@@ -1,34 +1,15 @@
 #include "gui/commands/spelling.h"
 
 #include <algorithm>
-#include <numeric>
-#include <utility>
+
+#include "engine/scenario/edit_distance.h"
 
 namespace netpocket {
-namespace {
-
-constexpr std::size_t kLongestWord = 64;  // bounds the effort
-
-// Levenshtein's distance: letters to insert, remove or replace.
-std::size_t edit_distance(std::string_view from, std::string_view to) {
-  std::vector<std::size_t> row(to.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i + 1);
-    for (std::size_t j = 0; j < to.size(); ++j) {
-      const std::size_t replaced = diagonal + (from[i] == to[j] ? 0 : 1);
-      diagonal = std::exchange(row[j + 1], std::min({replaced, row[j] + 1, row[j + 1] + 1}));
-    }
-  }
-  return row[to.size()];
-}
-
-}  // namespace
 
 std::optional<std::string> nearest_name(std::string_view unknown, const std::vector<std::string>& names) {
-  if (unknown.size() > kLongestWord) return std::nullopt;
+  if (unknown.size() > kLongestComparedName) return std::nullopt;
   std::optional<std::string> best;
-  std::size_t limit = std::max<std::size_t>(2, unknown.size() / 3) + 1;
+  std::size_t limit = largest_slip(unknown) + 1;
   for (const std::string& name : names) {
     const std::size_t distance = edit_distance(unknown, name);
     // A word of which nothing is left was not meant.

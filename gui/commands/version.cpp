@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <vtkVersion.h>
 
+#include "commit.h"
+
 namespace netpocket {
 
 const char* program_version() { return NETPOCKET_VERSION; }

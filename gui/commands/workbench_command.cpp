@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+
+#include <cstdlib>
 #include <memory>
 
 #include "gui/commands/command.h"
@@ -10,15 +13,15 @@ namespace netpocket {
 Action declare_workbench(CLI::App& app) {
   const auto options = std::make_shared<WorkbenchOptions>();
   app.add_option("FILE", options->file, "scenario (.toml) or recording (.h5) to open");
-  app.add_option("--presenter", options->presenter,
-                 "how the window draws: with OpenGL, or images drawn in the background")
+  app.add_option(
+         "--presenter", options->presenter,
+         "how the window draws: auto, opengl, or image: drawn in the background (default: as in the preferences)")
       ->type_name("")
-      ->check(one_of({"auto", "opengl", "image"}))
-      ->capture_default_str();
-  app.add_option("--threads", options->threads, "threads of a simulation; the result is the same for any number")
+      ->check(one_of({"auto", "opengl", "image"}));
+  app.add_option("--threads", options->threads,
+                 "threads of a simulation; the result is the same for any number (default: as in the preferences)")
       ->type_name("N")
-      ->check(whole_number(1, 256))
-      ->capture_default_str();
+      ->check(whole_number(1, 256));
   // For looking at the window in tests: not in the help.
   app.add_option("--screenshot", options->screenshot)->group("");
   app.footer(R"(Needs a display; QT_QPA_PLATFORM=offscreen works without one.
@@ -33,6 +36,10 @@ Examples:
     options->version = program_version();
     options->commit = program_commit();
     options->version_text = version_text();
+    options->no_display = [](const std::string& reason) {
+      fmt::print(stderr, "netpocket: {}\n", reason);
+      std::_Exit(static_cast<int>(ExitCode::rendering));
+    };
     try {
       return run_workbench(*options) == 0 ? ExitCode::ok : ExitCode::io;
     } catch (const NoDisplay& error) {

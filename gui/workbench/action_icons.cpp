@@ -68,6 +68,13 @@ class Drawing {
         return measure();
       case ActionIcon::follow:
         return follow();
+      case ActionIcon::move:
+        return move();
+      case ActionIcon::split:
+        painter_.setBrush(Qt::NoBrush);
+        painter_.drawRoundedRect(QRectF(2, 3, 12, 10), 1.2, 1.2);
+        painter_.drawLine(QPointF(8, 3), QPointF(8, 13));
+        return;
       case ActionIcon::open:
         painter_.setBrush(Qt::NoBrush);
         painter_.drawPolyline(QPolygonF({{2, 13}, {2, 3.5}, {6, 3.5}, {7.5, 5.5}, {12.5, 5.5}, {12.5, 7.5}}));
@@ -135,6 +142,15 @@ class Drawing {
     painter_.drawLine(QPointF(8, 10.5), QPointF(8, 14.5));
     painter_.drawLine(QPointF(1.5, 8), QPointF(5.5, 8));
     painter_.drawLine(QPointF(10.5, 8), QPointF(14.5, 8));
+  }
+
+  void move() {
+    painter_.drawLine(QPointF(8, 3), QPointF(8, 13));
+    painter_.drawLine(QPointF(3, 8), QPointF(13, 8));
+    fill(QPolygonF({{8, 1.2}, {6, 4}, {10, 4}}));
+    fill(QPolygonF({{8, 14.8}, {6, 12}, {10, 12}}));
+    fill(QPolygonF({{1.2, 8}, {4, 6}, {4, 10}}));
+    fill(QPolygonF({{14.8, 8}, {12, 6}, {12, 10}}));
   }
 
   QPainter& painter_;

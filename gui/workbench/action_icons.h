@@ -22,6 +22,8 @@ enum class ActionIcon {
   fit,
   measure,
   follow,
+  move,
+  split,
   open,
   save,
 };

@@ -3,29 +3,25 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
-#include <QFileDialog>
 #include <QFileInfo>
-#include <QHBoxLayout>
-#include <QLabel>
-#include <QMenuBar>
 #include <QMimeData>
-#include <QToolBar>
-#include <QToolButton>
-#include <QVBoxLayout>
+#include <QSplitter>
 
-#include "gui/workbench/dialogs/about_dialog.h"
-#include "gui/workbench/dialogs/shortcut_sheet.h"
+#include "gui/workbench/dialogs/preferences_dialog.h"
 #include "gui/workbench/editor/scenario_editor.h"
-#include "gui/workbench/export/export_dialog.h"
 #include "gui/workbench/export/export_tray.h"
 #include "gui/workbench/file_actions.h"
 #include "gui/workbench/findings_updater.h"
+#include "gui/workbench/lost_runs_bar.h"
 #include "gui/workbench/panels/findings_panel.h"
 #include "gui/workbench/panels/plots_panel.h"
 #include "gui/workbench/picked_series.h"
+#include "gui/workbench/placement_actions.h"
 #include "gui/workbench/run_actions.h"
+#include "gui/workbench/run_file_actions.h"
 #include "gui/workbench/run_status_bar.h"
 #include "gui/workbench/runs_panel.h"
+#include "gui/workbench/second_view.h"
 #include "gui/workbench/timeline/timeline_bar.h"
 #include "gui/workbench/view_actions.h"
 #include "gui/workbench/viewport/viewport.h"
@@ -48,20 +44,35 @@ QString file_to_open(const QMimeData& data) {
   return is_recording(path) || QFileInfo(path).suffix().toLower() == "toml" ? path : QString();
 }
 
+std::unique_ptr<QSettings> make_settings(const QString& file) {
+  if (file.isEmpty()) return std::make_unique<QSettings>("netpocket", "workbench");
+  return std::make_unique<QSettings>(file, QSettings::IniFormat);
+}
+
+QString recovery_folder(const WindowOptions& options) {
+  return options.recovery_folder.isEmpty() ? default_recovery_folder() : options.recovery_folder;
+}
+
+// Next to the unsaved scenarios: unsaved runs.
+QString run_folder(const WindowOptions& options) { return recovery_folder(options) + "/runs"; }
+
+SessionOptions session_options(const WindowOptions& options, const Preferences& preferences) {
+  SessionOptions session{options.origin, preferences.cache_bytes(), run_folder(options)};
+  session.origin.threads = options.threads.value_or(preferences.threads);
+  return session;
+}
+
 }  // namespace
 
 MainWindow::MainWindow(const WindowOptions& options)
-    : settings_(options.settings_file.isEmpty()
-                    ? std::make_unique<QSettings>("netpocket", "workbench")
-                    : std::make_unique<QSettings>(options.settings_file, QSettings::IniFormat)),
-      session_(std::make_unique<CaptureSession>(options.session)),
-      document_(options.recovery_folder.isEmpty() ? std::make_unique<ScenarioDocument>()
-                                                  : std::make_unique<ScenarioDocument>(options.recovery_folder)),
+    : settings_(make_settings(options.settings_file)),
+      session_(std::make_unique<CaptureSession>(session_options(options, read_preferences(*settings_)))),
+      document_(std::make_unique<ScenarioDocument>(recovery_folder(options))),
       preview_(std::make_unique<PreviewBuilder>()),
-      program_(options.program) {
+      presenter_(options.presenter.value_or(read_preferences(*settings_).presenter)) {
   setAcceptDrops(true);
   setDockNestingEnabled(true);
-  setCentralWidget(make_center(options.presenter));
+  setCentralWidget(make_center(run_folder(options)));
   make_docks();
   status_ = new RunStatusBar;
   setStatusBar(status_);
@@ -87,115 +98,6 @@ MainWindow::~MainWindow() {
   for (auto* dock : findChildren<QDockWidget*>()) delete dock;
 }
 
-QWidget* MainWindow::make_center(PresenterKind presenter) {
-  auto* center = new QWidget;
-  viewport_ = new Viewport(presenter);
-  timeline_ = new TimelineBar(*session_);
-  notice_bar_ = new QFrame;
-  notice_bar_->setAutoFillBackground(true);
-  notice_bar_->setBackgroundRole(QPalette::ToolTipBase);
-  notice_bar_->setForegroundRole(QPalette::ToolTipText);
-  notice_ = new QLabel;
-  notice_->setWordWrap(true);
-  notice_->setForegroundRole(QPalette::ToolTipText);
-  notice_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  auto* close = new QToolButton;
-  close->setText(QString::fromUtf8("×"));
-  close->setAutoRaise(true);
-  close->setToolTip(tr("Close this message"));
-  connect(close, &QToolButton::clicked, notice_bar_, &QWidget::hide);
-  auto* bar = new QHBoxLayout(notice_bar_);
-  bar->setContentsMargins(10, 4, 4, 4);
-  bar->addWidget(notice_, 1);
-  bar->addWidget(close);
-  notice_bar_->hide();
-  auto* layout = new QVBoxLayout(center);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
-  layout->addWidget(notice_bar_);
-  layout->addWidget(viewport_, 1);
-  layout->addWidget(timeline_);
-  return center;
-}
-
-void MainWindow::make_docks() {
-  const auto add = [this](const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area) {
-    auto* dock = new QDockWidget(title, this);
-    dock->setObjectName(name);
-    dock->setWidget(content);
-    addDockWidget(area, dock);
-    return dock;
-  };
-  editor_ = new ScenarioEditor(document_.get());
-  plots_ = new PlotsPanel;
-  findings_ = new FindingsPanel;
-  runs_panel_ = new RunsPanel(*session_);
-  findings_updater_ = std::make_unique<FindingsUpdater>(*session_, [this] { return runs_panel_->compared(); });
-  auto* scenario = add(tr("Scenario"), "scenario", editor_, Qt::LeftDockWidgetArea);
-  auto* plots = add(tr("Plots"), "plots", plots_, Qt::RightDockWidgetArea);
-  auto* findings = add(tr("Findings"), "findings", findings_, Qt::RightDockWidgetArea);
-  auto* runs = add(tr("Runs"), "runs", runs_panel_, Qt::RightDockWidgetArea);
-  tabifyDockWidget(findings, runs);
-  findings->raise();
-  resizeDocks({scenario, plots}, {330, 420}, Qt::Horizontal);
-  resizeDocks({plots, findings}, {3, 2}, Qt::Vertical);
-}
-
-void MainWindow::make_menus(const WindowOptions& options) {
-  auto* bar = addToolBar(tr("Toolbar"));
-  bar->setObjectName("toolbar");
-  bar->setMovable(false);
-  bar->setIconSize({20, 20});
-  auto* file = menuBar()->addMenu(tr("&File"));
-  auto* edit = menuBar()->addMenu(tr("&Edit"));
-  auto* run = menuBar()->addMenu(tr("&Run"));
-  auto* time = menuBar()->addMenu(tr("&Time"));
-  auto* view = menuBar()->addMenu(tr("&View"));
-  auto* help = menuBar()->addMenu(tr("&Help"));
-  for (QMenu* menu : {file, edit, run, time, view, help}) menu->setToolTipsVisible(true);
-
-  file_actions_ = new FileActions(*document_, *settings_, this);
-  file_actions_->fill(*file, *bar);
-  file->addSeparator();
-  file->addAction(tr("Save run as…"), QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_S), this, &MainWindow::save_run)
-      ->setStatusTip(tr("Save the shown run as a recording"));
-  file->addAction(tr("&Export…"), QKeySequence(Qt::CTRL | Qt::Key_E), this, &MainWindow::ask_for_export)
-      ->setStatusTip(tr("Pictures, video, figures, tables of the shown run"));
-  file->addSeparator();
-  auto* quit = file->addAction(tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), this, &QWidget::close);
-  quit->setMenuRole(QAction::QuitRole);
-
-  auto* undo = document_->undo_stack()->createUndoAction(this, tr("Undo"));
-  undo->setShortcut(QKeySequence::Undo);
-  auto* redo = document_->undo_stack()->createRedoAction(this, tr("Redo"));
-  redo->setShortcut(QKeySequence::Redo);
-  edit->addActions({undo, redo});
-  edit->addSeparator();
-  edit->addAction(tr("Find parameter"), QKeySequence(QKeySequence::Find), editor_, &ScenarioEditor::focus_search);
-
-  bar->addSeparator();
-  run_actions_ = new RunActions(
-      *session_, [this] { return scenario_to_run(); }, this);
-  run_actions_->fill(*run, *bar);
-  bar->addSeparator();
-  view_actions_ = new ViewActions(*viewport_, *settings_, this);
-  view_actions_->fill(*view, *bar);
-  time->addActions(timeline_->playback_actions());
-
-  view->addSeparator();
-  auto* docks = view->addMenu(tr("Panels"));
-  for (auto* dock : findChildren<QDockWidget*>()) docks->addAction(dock->toggleViewAction());
-  auto* full = view->addAction(tr("Full screen"), QKeySequence(Qt::Key_F11), this,
-                               [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
-  full->setStatusTip(tr("Use the whole screen"));
-
-  help->addAction(tr("Keyboard and mouse"), QKeySequence(Qt::Key_F1), this,
-                  [this] { ShortcutSheet(*menuBar(), this).exec(); });
-  help->addAction(tr("About Netpocket"), this, [this, about = options.about] {
-    AboutDialog(about, viewport_->presenter_description(), this).exec();
-  });
-}
-
 void MainWindow::connect_document() {
   connect(document_.get(), &ScenarioDocument::modified_changed, this, &MainWindow::update_title);
   connect(document_.get(), &ScenarioDocument::path_changed, this, &MainWindow::update_title);
@@ -207,6 +109,7 @@ void MainWindow::connect_document() {
   connect(preview_.get(), &PreviewBuilder::built, this, &MainWindow::show_preview);
   connect(file_actions_, &FileActions::open_requested, this, &MainWindow::open);
   connect(file_actions_, &FileActions::problem, this, &MainWindow::show_notice);
+  new PlacementActions(*viewport_, *document_, this);
 }
 
 void MainWindow::connect_session() {
@@ -244,7 +147,13 @@ void MainWindow::connect_panels() {
   connect(plots_, &PlotsPanel::time_clicked, timeline_, &TimelineBar::go_to);
   connect(plots_, &PlotsPanel::export_failed, this, &MainWindow::show_notice);
   connect(findings_, &FindingsPanel::export_failed, this, &MainWindow::show_notice);
-  connect(viewport_, &Viewport::plot_requested, this, &MainWindow::plot_pick);
+  connect(viewport_, &Viewport::plot_requested, this,
+          [this](const Pick& pick) { plot_pick(session_->current() ? session_->current()->id : -1, pick); });
+  connect(view_actions_, &ViewActions::moving_toggled, this, &MainWindow::set_moving);
+  connect(view_actions_, &ViewActions::second_view_toggled, this, &MainWindow::show_second_view);
+  connect(run_files_, &RunFileActions::problem, this, &MainWindow::show_notice);
+  connect(run_files_, &RunFileActions::file_used, file_actions_, &FileActions::note_recent);
+  connect(run_files_, &RunFileActions::close_window, this, &QWidget::close);
   connect(runs_panel_, &RunsPanel::compared_changed, this, &MainWindow::update_plots);
   connect(findings_updater_.get(), &FindingsUpdater::evaluated, this, [this](const FindingsResult& result) {
     findings_->set_findings(result.findings, result.running);
@@ -262,11 +171,19 @@ void MainWindow::restore_layout() {
   restoreState(settings_->value(kLayoutKey).toByteArray(), kLayoutVersion);
 }
 
-QString MainWindow::notice() const { return notice_bar_->isHidden() ? QString() : notice_->text(); }
+QString MainWindow::notice() const { return notice_->isHidden() ? QString() : notice_->text(); }
 
-void MainWindow::show_notice(const QString& text) {
-  notice_->setText(text);
-  notice_bar_->setHidden(text.isEmpty());
+void MainWindow::show_notice(const QString& text) { notice_->show_text(text); }
+
+void MainWindow::ask_for_preferences() {
+  PreferencesDialog dialog(read_preferences(*settings_), session_->runs().cache_bytes(), this);
+  if (dialog.exec() == QDialog::Accepted) apply_preferences(dialog.preferences());
+}
+
+void MainWindow::apply_preferences(const Preferences& preferences) {
+  write_preferences(preferences, *settings_);
+  session_->runs().set_cache_bytes(preferences.cache_bytes());
+  session_->set_threads(preferences.threads);
 }
 
 std::optional<Scenario> MainWindow::scenario_to_run() {
@@ -303,20 +220,46 @@ void MainWindow::show_preview(const PocketPreview& preview) {
   view_actions_->set_phases(std::nullopt);
   if (session_->current()) viewport_->set_hint(tr("Edited scenario, not simulated yet"));
   viewport_->set_pocket(preview.structure, preview.snapshot);
+  if (second_view_) second_view_->refresh();
 }
 
 void MainWindow::show_frame(const std::shared_ptr<const Snapshot>& snapshot) {
   const Run* run = session_->current();
   if (run == nullptr) return;
+  // What is moved is the start of a capture, not a recorded moment of one.
+  view_actions_->move_action()->setChecked(false);
   if (!viewport_->is_measuring()) viewport_->set_hint({});
   view_actions_->set_phases(phase_times(run->scenario));
   viewport_->set_pocket(run->structure, snapshot);
+  if (second_view_) second_view_->refresh();
   plots_->set_time(snapshot->time);
   status_->show_run(run, session_->shown_index());
 }
 
-void MainWindow::plot_pick(const Pick& pick) {
-  const Run* run = session_->current();
+void MainWindow::set_moving(bool moving) {
+  if (moving && session_->is_running()) {
+    show_notice(tr("While a run goes on its pocket is shown: pause it to move the bodies."));
+    view_actions_->move_action()->setChecked(false);
+    return;
+  }
+  if (moving) preview_->build(document_->scenario());
+  viewport_->set_moving(moving);
+}
+
+void MainWindow::show_second_view(bool shown) {
+  if (second_view_ == nullptr) {
+    second_view_ = new SecondView(*session_, *viewport_, presenter_);
+    second_view_->set_options(view_actions_->options());
+    connect(view_actions_, &ViewActions::options_changed, second_view_, &SecondView::set_options);
+    connect(second_view_, &SecondView::plot_requested, this, &MainWindow::plot_pick);
+    views_->addWidget(second_view_);
+  }
+  second_view_->setVisible(shown);
+  if (shown) views_->setSizes({1, 1});
+}
+
+void MainWindow::plot_pick(RunId id, const Pick& pick) {
+  const Run* run = session_->runs().find(id);
   if (run == nullptr || run->frame_count() == 0) {
     show_notice(tr("There is no run yet whose frames could be plotted."));
     return;
@@ -352,49 +295,14 @@ void MainWindow::strategy_answered(const Diagnostics& refused, double time) {
   }
 }
 
-void MainWindow::ask_for_export() {
-  const Run* run = session_->current();
-  if (run == nullptr || run->frame_count() == 0) {
-    show_notice(tr("There is no run to export yet."));
-    return;
-  }
-  const QString folder = QFileInfo(document_->path()).path();
-  ExportDialog dialog(document_->path().isEmpty() ? QString() : folder, run->name, this);
-  if (dialog.exec() != QDialog::Accepted) return;
-  export_run([&dialog](const QString& recording) { return dialog.arguments(recording); }, dialog.label(),
-             dialog.target());
-}
-
-void MainWindow::export_run(const std::function<QStringList(const QString& recording)>& arguments, const QString& label,
-                            const QString& result) {
-  const Run* run = session_->current();
-  if (run == nullptr) return;
-  const QStringList command = arguments(QString::fromStdString(run->file->path()));
-  session_->runs().flush(run->id, [this, command, label, result](const QString&) {
-    exports_->add(std::make_unique<ExportJob>(program_, command, label, result));
-  });
-}
-
-void MainWindow::save_run() {
-  const Run* run = session_->current();
-  if (run == nullptr || run->frame_count() == 0) {
-    show_notice(tr("There is no run to save yet."));
-    return;
-  }
-  QString path = QFileDialog::getSaveFileName(this, tr("Save run"), run->name + ".h5", tr("Recordings (*.h5)"));
-  if (path.isEmpty()) return;
-  if (QFileInfo(path).suffix().isEmpty()) path += ".h5";
-  file_actions_->note_recent(path);
-  session_->runs().save(run->id, path);
-}
-
 void MainWindow::update_title() {
   setWindowModified(document_->is_modified());
   setWindowTitle(tr("%1[*] – Netpocket").arg(document_->display_name()));
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!file_actions_->may_discard()) {
+  const bool keeps_runs = read_preferences(*settings_).ask_about_runs;
+  if (!file_actions_->may_discard() || (keeps_runs && !run_files_->may_close())) {
     event->ignore();
     return;
   }

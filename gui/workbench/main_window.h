@@ -3,16 +3,17 @@
 
 #include <QMainWindow>
 #include <QSettings>
-#include <functional>
 #include <memory>
+#include <optional>
 
 #include "gui/workbench/editor/scenario_document.h"
+#include "gui/workbench/preferences.h"
 #include "gui/workbench/preview_builder.h"
 #include "gui/workbench/session/capture_session.h"
 #include "gui/workbench/viewport/picker.h"
 #include "gui/workbench/viewport/presenter.h"
 
-class QLabel;
+class QSplitter;
 
 namespace netpocket {
 
@@ -20,22 +21,27 @@ class ExportTray;
 class FileActions;
 class FindingsPanel;
 class FindingsUpdater;
+class LostRunsBar;
+class MessageBar;
 class PlotsPanel;
 class RunActions;
+class RunFileActions;
 class RunStatusBar;
 class RunsPanel;
 class ScenarioEditor;
+class SecondView;
 class TimelineBar;
 class ViewActions;
 class Viewport;
 
 struct WindowOptions {
-  PresenterKind presenter = PresenterKind::automatic;
-  SessionOptions session;
-  QString about;            // versions, one a line
-  QString settings_file;    // instead of the user's settings
-  QString recovery_folder;  // instead of the user's
-  QString program;          // that exports are made with: this program
+  std::optional<PresenterKind> presenter;  // absent: as the preferences say
+  std::optional<int> threads;              // of a simulation; absent: as the preferences say
+  RunOptions origin;                       // of the recordings made
+  QString about;                           // versions, one a line
+  QString settings_file;                   // instead of the user's settings
+  QString recovery_folder;                 // instead of the user's
+  QString program;                         // that exports are made with: this program
 };
 
 class MainWindow : public QMainWindow {
@@ -56,7 +62,12 @@ class MainWindow : public QMainWindow {
   FindingsPanel& findings() { return *findings_; }
   RunActions& run_actions() { return *run_actions_; }
   FileActions& file_actions() { return *file_actions_; }
+  RunFileActions& run_files() { return *run_files_; }
+  ViewActions& view_actions() { return *view_actions_; }
+  LostRunsBar& lost_runs() { return *lost_runs_; }
   ExportTray& exports() { return *exports_; }
+  // Null until it is shown for the first time.
+  SecondView* second_view() { return second_view_; }
   QSettings& settings() { return *settings_; }
   // The sentence in the bar under the toolbar; empty when there is none.
   QString notice() const;
@@ -64,9 +75,7 @@ class MainWindow : public QMainWindow {
   // What can be simulated; nothing, and the problem is shown, when the scenario has an error.
   std::optional<Scenario> scenario_to_run();
   void show_notice(const QString& text);
-  // Exports the shown run as the program's command `arguments`, made for its recording.
-  void export_run(const std::function<QStringList(const QString& recording)>& arguments, const QString& label,
-                  const QString& result);
+  void apply_preferences(const Preferences& preferences);
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -75,9 +84,10 @@ class MainWindow : public QMainWindow {
   void changeEvent(QEvent* event) override;
 
  private:
-  QWidget* make_center(PresenterKind presenter);
+  QWidget* make_center(const QString& run_folder);
   void make_docks();
   void make_menus(const WindowOptions& options);
+  void make_help(QMenu& menu, const QString& about);
   void connect_document();
   void connect_session();
   void connect_panels();
@@ -88,9 +98,10 @@ class MainWindow : public QMainWindow {
   void run_changed();
   void update_title();
   void update_plots();
-  void plot_pick(const Pick& pick);
-  void ask_for_export();
-  void save_run();
+  void plot_pick(RunId id, const Pick& pick);
+  void show_second_view(bool shown);
+  void set_moving(bool moving);
+  void ask_for_preferences();
   void strategy_answered(const Diagnostics& refused, double time);
 
   std::unique_ptr<QSettings> settings_;
@@ -100,8 +111,10 @@ class MainWindow : public QMainWindow {
   std::unique_ptr<FindingsUpdater> findings_updater_;
   Viewport* viewport_ = nullptr;
   TimelineBar* timeline_ = nullptr;
-  QWidget* notice_bar_ = nullptr;
-  QLabel* notice_ = nullptr;
+  QSplitter* views_ = nullptr;
+  SecondView* second_view_ = nullptr;
+  MessageBar* notice_ = nullptr;
+  LostRunsBar* lost_runs_ = nullptr;
   ScenarioEditor* editor_ = nullptr;
   PlotsPanel* plots_ = nullptr;
   FindingsPanel* findings_ = nullptr;
@@ -110,8 +123,9 @@ class MainWindow : public QMainWindow {
   RunActions* run_actions_ = nullptr;
   ViewActions* view_actions_ = nullptr;
   FileActions* file_actions_ = nullptr;
+  RunFileActions* run_files_ = nullptr;
   ExportTray* exports_ = nullptr;
-  QString program_;
+  PresenterKind presenter_;
 };
 
 }  // namespace netpocket

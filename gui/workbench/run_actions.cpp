@@ -127,7 +127,7 @@ void RunActions::refresh() {
   run_->setText(running ? tr("Pause") : tr("Run"));
   const Run* current = session_.current();
   step_->setEnabled(session_.live() != nullptr);
-  branch_->setEnabled(current != nullptr && current->simulated_here && current->frame_count() > 0);
+  branch_->setEnabled(current != nullptr && current->continuable && current->frame_count() > 0);
 }
 
 }  // namespace netpocket

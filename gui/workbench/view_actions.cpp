@@ -5,32 +5,15 @@
 #include <QComboBox>
 #include <QMenu>
 #include <QToolBar>
+#include <algorithm>
 #include <array>
 
 #include "gui/workbench/action_icons.h"
 #include "gui/workbench/panels/tones.h"
+#include "gui/workbench/viewport/camera_names.h"
 
 namespace netpocket {
 namespace {
-
-struct PresetEntry {
-  CameraPreset preset;
-  const char* name;
-  const char* help;
-};
-
-constexpr std::array kPresets = {
-    PresetEntry{CameraPreset::iso, QT_TRANSLATE_NOOP("ViewActions", "Oblique"),
-                QT_TRANSLATE_NOOP("ViewActions", "From the side and a little ahead")},
-    PresetEntry{CameraPreset::side, QT_TRANSLATE_NOOP("ViewActions", "Side"),
-                QT_TRANSLATE_NOOP("ViewActions", "Square to the pocket's axis, without perspective")},
-    PresetEntry{CameraPreset::front, QT_TRANSLATE_NOOP("ViewActions", "Front"),
-                QT_TRANSLATE_NOOP("ViewActions", "Along the axis into the mouth, without perspective")},
-    PresetEntry{CameraPreset::mouth, QT_TRANSLATE_NOOP("ViewActions", "Mouth"),
-                QT_TRANSLATE_NOOP("ViewActions", "Obliquely into the mouth")},
-    PresetEntry{CameraPreset::follow, QT_TRANSLATE_NOOP("ViewActions", "Follow"),
-                QT_TRANSLATE_NOOP("ViewActions", "Oblique, moving with the target")},
-};
 
 constexpr int kSavedCameras = 4;
 
@@ -82,14 +65,13 @@ void ViewActions::add_cameras(QMenu& menu, QToolBar& bar) {
   auto* choice = new QComboBox;
   choice->setToolTip(tr("Where from (1 to 5)"));
   choice->setAccessibleName(tr("Camera"));
-  for (int i = 0; i < static_cast<int>(kPresets.size()); ++i) {
-    const auto& entry = kPresets[static_cast<std::size_t>(i)];
-    auto* action = add(menu, tr(entry.name), QKeySequence(Qt::Key_1 + i), tr(entry.help));
-    choice->addItem(tr(entry.name));
-    connect(action, &QAction::triggered, this, [this, choice, i] {
+  for (int i = 0; i < static_cast<int>(kCameraPresets.size()); ++i) {
+    const CameraPreset preset = kCameraPresets[static_cast<std::size_t>(i)];
+    auto* action = add(menu, camera_name(preset), QKeySequence(Qt::Key_1 + i), camera_help(preset));
+    choice->addItem(camera_name(preset));
+    connect(action, &QAction::triggered, this, [this, choice, i, preset] {
       choice->setCurrentIndex(i);
-      const CameraPreset preset = kPresets[static_cast<std::size_t>(i)].preset;
-      viewport_.set_follow_target(false);
+      follow_->setChecked(preset == CameraPreset::follow);
       viewport_.set_preset(preset);
     });
     connect(choice, &QComboBox::activated, action, [action, i](int index) {
@@ -99,17 +81,32 @@ void ViewActions::add_cameras(QMenu& menu, QToolBar& bar) {
   auto* fit = add(menu, tr("Fit"), Qt::Key_F, tr("Show everything, from where one looks now"));
   fit->setIcon(action_icon(ActionIcon::fit));
   connect(fit, &QAction::triggered, &viewport_, &Viewport::fit);
-  auto* follow = add(menu, tr("Follow target"), Qt::Key_T, tr("Let the camera move with the target"));
-  follow->setIcon(action_icon(ActionIcon::follow));
-  follow->setCheckable(true);
-  connect(follow, &QAction::toggled, &viewport_, &Viewport::set_follow_target);
+  follow_ = add(menu, tr("Follow target"), Qt::Key_T, tr("Let the camera move with the target"));
+  follow_->setIcon(action_icon(ActionIcon::follow));
+  follow_->setCheckable(true);
+  connect(follow_, &QAction::toggled, &viewport_, &Viewport::set_follow_target);
   auto* measure = add(menu, tr("Measure distance"), Qt::Key_D, tr("Click two points to measure their distance"));
   measure->setIcon(action_icon(ActionIcon::measure));
   measure->setCheckable(true);
   connect(measure, &QAction::toggled, &viewport_, &Viewport::set_measuring);
+  move_ = add(menu, tr("Move bodies"), Qt::Key_G, tr("Drag the target or the spacecraft to where the capture starts"));
+  move_->setIcon(action_icon(ActionIcon::move));
+  move_->setCheckable(true);
+  connect(move_, &QAction::toggled, this, &ViewActions::moving_toggled);
+  // One tool at a time.
+  connect(move_, &QAction::toggled, measure, [measure](bool on) {
+    if (on) measure->setChecked(false);
+  });
+  connect(measure, &QAction::toggled, move_, [this](bool on) {
+    if (on) move_->setChecked(false);
+  });
+  second_ = add(menu, tr("Second view"), Qt::Key_V, tr("Another view beside this one, of this run or of another"));
+  second_->setIcon(action_icon(ActionIcon::split));
+  second_->setCheckable(true);
+  connect(second_, &QAction::toggled, this, &ViewActions::second_view_toggled);
   add_saved_cameras(menu);
   bar.addWidget(choice);
-  bar.addActions({fit, follow, measure});
+  bar.addActions({fit, follow_, measure, move_, second_});
 }
 
 void ViewActions::add_saved_cameras(QMenu& menu) {
@@ -204,6 +201,7 @@ void ViewActions::apply() {
   const bool dark = ground_ == Ground::space || (ground_ == Ground::theme && is_dark(QApplication::palette()));
   options_.background = dark ? Background::space : Background::white;
   viewport_.set_options(options_);
+  emit options_changed(options_);
 }
 
 }  // namespace netpocket

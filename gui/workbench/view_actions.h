@@ -7,6 +7,7 @@
 
 #include "gui/workbench/viewport/viewport.h"
 
+class QAction;
 class QMenu;
 class QToolBar;
 
@@ -22,6 +23,14 @@ class ViewActions : public QObject {
   void set_phases(const std::optional<PhaseTimes>& phases);
   // Light or dark of the window has changed.
   void follow_theme();
+  const SceneOptions& options() const { return options_; }
+  QAction* move_action() const { return move_; }
+  QAction* second_view_action() const { return second_; }
+
+ signals:
+  void options_changed(const netpocket::SceneOptions& options);
+  void moving_toggled(bool on);
+  void second_view_toggled(bool on);
 
  private:
   enum class Ground { theme, white, space };
@@ -40,6 +49,9 @@ class ViewActions : public QObject {
   QSettings& settings_;
   SceneOptions options_;
   Ground ground_ = Ground::theme;
+  QAction* follow_ = nullptr;
+  QAction* move_ = nullptr;
+  QAction* second_ = nullptr;
 };
 
 }  // namespace netpocket

@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QTimer>
 #include <cstdlib>
+#include <memory>
 
 #include "gui/workbench/main_window.h"
 #include "gui/workbench/viewport/viewport.h"
@@ -10,10 +11,57 @@
 namespace netpocket {
 namespace {
 
-PresenterKind presenter_kind(const std::string& name) {
+std::optional<PresenterKind> presenter_kind(const std::string& name) {
+  if (name.empty()) return std::nullopt;
   if (name == "opengl") return PresenterKind::opengl;
   return name == "image" ? PresenterKind::image : PresenterKind::automatic;
 }
+
+// Turns what Qt says when it finds no display into one sentence, instead of several lines and a core dump. Stands while
+// the application is made; what was said in vain is passed on afterwards.
+class DisplayTrouble {
+ public:
+  explicit DisplayTrouble(const std::function<void(const std::string&)>& no_display) : no_display_(no_display) {
+    current_ = this;
+    previous_ = qInstallMessageHandler(&DisplayTrouble::take);
+  }
+  ~DisplayTrouble() {
+    qInstallMessageHandler(previous_);
+    current_ = nullptr;
+    for (const QString& warning : warnings_) qWarning("%s", qUtf8Printable(warning));
+  }
+  DisplayTrouble(const DisplayTrouble&) = delete;
+  DisplayTrouble& operator=(const DisplayTrouble&) = delete;
+
+ private:
+  static void take(QtMsgType type, const QMessageLogContext&, const QString& text) {
+    if (type != QtFatalMsg) {
+      current_->warnings_ << text;
+    } else if (current_->no_display_) {
+      current_->no_display_(current_->reason().toStdString());
+    }
+  }
+
+  QString reason() const {
+    const QString start = QStringLiteral("the workbench cannot open a window: ");
+    for (const QString& warning : warnings_) {
+      if (warning.contains("could not connect to display")) {
+        return start + QString("the display \"%1\" cannot be reached; QT_QPA_PLATFORM=offscreen does without one")
+                           .arg(qEnvironmentVariable("DISPLAY"));
+      }
+      if (warning.contains("Could not find the Qt platform plugin")) {
+        return start + QString("there is no Qt platform \"%1\"; unset QT_QPA_PLATFORM, or try xcb or offscreen")
+                           .arg(qEnvironmentVariable("QT_QPA_PLATFORM"));
+      }
+    }
+    return start + (warnings_.isEmpty() ? QStringLiteral("Qt finds no way to show one") : warnings_.last().trimmed());
+  }
+
+  inline static DisplayTrouble* current_ = nullptr;
+  const std::function<void(const std::string&)>& no_display_;
+  QtMessageHandler previous_;
+  QStringList warnings_;
+};
 
 // Saves the window once its first picture has been there for a moment.
 void take_screenshot(MainWindow& window, const QString& path) {
@@ -47,14 +95,18 @@ int run_workbench(const WorkbenchOptions& options) {
   int argc = 1;
   char name[] = "netpocket";
   char* argv[] = {name, nullptr};
+  auto trouble = std::make_unique<DisplayTrouble>(options.no_display);
   QApplication application(argc, argv);
+  trouble.reset();
   QApplication::setApplicationName("netpocket");
   QApplication::setApplicationDisplayName("Netpocket");
   QApplication::setApplicationVersion(QString::fromStdString(options.version));
 
   WindowOptions window_options;
   window_options.presenter = presenter_kind(options.presenter);
-  window_options.session.origin = {options.threads, true, options.version, options.commit, "workbench"};
+  window_options.threads = options.threads;
+  window_options.origin = {
+      .overwrite = true, .version = options.version, .commit = options.commit, .command = "workbench"};
   window_options.about = QString::fromStdString(options.version_text);
   window_options.program = QApplication::applicationFilePath();
   MainWindow window(window_options);

@@ -1,19 +1,23 @@
 #pragma once
 // The workbench as a program.
 
+#include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
 namespace netpocket {
 
 struct WorkbenchOptions {
-  std::string file;                // scenario or recording to open; empty: none
-  std::string presenter = "auto";  // auto, opengl or image
+  std::string file;       // scenario or recording to open; empty: none
+  std::string presenter;  // auto, opengl or image; empty: as the user prefers
   std::string version;
   std::string commit;
-  std::string version_text;  // of everything, several lines
-  int threads = 1;           // of a simulation
-  std::string screenshot;    // writes the window as a PNG there and ends
+  std::string version_text;    // of everything, several lines
+  std::optional<int> threads;  // of a simulation; absent: as the user prefers
+  std::string screenshot;      // writes the window as a PNG there and ends
+  // Called with one sentence when there turns out to be no display. Qt ends the program then: this must not return.
+  std::function<void(const std::string& reason)> no_display;
 };
 
 // Why no window can be opened; one sentence.

@@ -14,7 +14,8 @@ struct BodyMesh {
   vtkSmartPointer<vtkPolyData> lines;
 };
 
-// A shape in panels of two shades with seams, so that its rotation is seen. The surface lies a little inside the true
+// A shape in panels of two shades with seams, so that its rotation is seen; meshes and satellites as they are. The
+// surface lies a little inside the true
 // one: cords that touch it are chords of it between their points, and must not disappear in it.
 BodyMesh shape_mesh(const Shape& shape, const Palette& palette);
 
@@ -28,7 +29,7 @@ BodyMesh spacecraft_mesh(const Shape& shape, double root_radius, double root_hei
 // How far a spacecraft with this shape reaches along +-x and +-z, m.
 Eigen::Vector3d spacecraft_half_extent(const Shape& shape);
 
-// Full edge lengths of the box around a shape, m.
+// Full edge lengths of the box around a shape, centred at its centre of mass, m.
 Eigen::Vector3d shape_size(const Shape& shape);
 
 }  // namespace netpocket

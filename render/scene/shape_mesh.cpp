@@ -6,6 +6,8 @@
 
 #include "render/scene/body_mesh.h"
 #include "render/scene/mesh_builder.h"
+#include "render/scene/satellite_target.h"
+#include "render/scene/triangle_surface.h"
 
 namespace netpocket {
 namespace {
@@ -94,34 +96,50 @@ void paint(PanelPainter& painter, const Cylinder& cylinder) {
   }
 }
 
-}  // namespace
+struct ShapePainter {
+  const Palette& palette;
 
-BodyMesh shape_mesh(const Shape& shape, const Palette& palette) {
-  MeshBuilder surface, lines;
-  PanelPainter painter(surface, lines, palette);
-  std::visit([&](const auto& solid) { paint(painter, solid); }, shape);
-  return {surface.build(), lines.build()};
-}
+  BodyMesh operator()(const Satellite& satellite) const { return satellite_target_mesh(satellite, palette); }
+  BodyMesh operator()(const MeshShape& shape) const { return triangle_surface(*shape.mesh, palette); }
+  template <typename Solid>
+  BodyMesh operator()(const Solid& solid) const {
+    MeshBuilder surface, lines;
+    PanelPainter painter(surface, lines, palette);
+    paint(painter, solid);
+    return {surface.build(), lines.build()};
+  }
+};
 
-vtkSmartPointer<vtkPolyData> plain_shape_mesh(const Shape& shape) {
-  MeshBuilder mesh;
-  if (const auto* sphere = std::get_if<Sphere>(&shape)) {
-    mesh.add_sphere({0, 0, 0}, sphere->radius, 48, 24);
-  } else if (const auto* box = std::get_if<Box>(&shape)) {
-    mesh.add_box({0, 0, 0}, box->size);
-  } else {
-    const auto& cylinder = std::get<Cylinder>(shape);
+struct PlainPainter {
+  vtkSmartPointer<vtkPolyData> operator()(const Satellite& satellite) const { return plain_satellite_mesh(satellite); }
+  vtkSmartPointer<vtkPolyData> operator()(const MeshShape& shape) const { return plain_triangle_surface(*shape.mesh); }
+  vtkSmartPointer<vtkPolyData> operator()(const Sphere& sphere) const {
+    MeshBuilder mesh;
+    mesh.add_sphere({0, 0, 0}, sphere.radius, 48, 24);
+    return mesh.build();
+  }
+  vtkSmartPointer<vtkPolyData> operator()(const Box& box) const {
+    MeshBuilder mesh;
+    mesh.add_box({0, 0, 0}, box.size);
+    return mesh.build();
+  }
+  vtkSmartPointer<vtkPolyData> operator()(const Cylinder& cylinder) const {
+    MeshBuilder mesh;
     const Eigen::Vector3d end = Eigen::Vector3d::UnitY() * cylinder.length / 2;
     mesh.add_cylinder(-end, end, cylinder.radius, cylinder.radius, 48);
+    return mesh.build();
   }
-  return mesh.build();
-}
+};
+
+}  // namespace
+
+BodyMesh shape_mesh(const Shape& shape, const Palette& palette) { return std::visit(ShapePainter{palette}, shape); }
+
+vtkSmartPointer<vtkPolyData> plain_shape_mesh(const Shape& shape) { return std::visit(PlainPainter{}, shape); }
 
 Eigen::Vector3d shape_size(const Shape& shape) {
-  if (const auto* box = std::get_if<Box>(&shape)) return box->size;
-  if (const auto* sphere = std::get_if<Sphere>(&shape)) return Eigen::Vector3d::Constant(2 * sphere->radius);
-  const auto& cylinder = std::get<Cylinder>(shape);
-  return {2 * cylinder.radius, cylinder.length, 2 * cylinder.radius};
+  const Eigen::AlignedBox3d box = extents(shape);
+  return 2 * box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs());
 }
 
 }  // namespace netpocket

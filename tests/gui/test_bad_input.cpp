@@ -58,6 +58,19 @@ TEST(BadInput, Settings) {
   expect_refusal({"check", scenario, "--set", "net.diameter=-1"}, 3, "net.diameter");
 }
 
+TEST(BadInput, Meshes) {
+  const TestFolder folder;
+  const auto own = [&](const std::string& mesh) {
+    return folder.write("own.toml", "[target]\nshape = \"mesh\"\nmesh_file = \"" + mesh + "\"\n");
+  };
+  expect_refusal({"check", own("none.stl")}, 3, "target.mesh_file: \"none.stl\" does not exist");
+  expect_refusal({"check", own("../../etc/x.stl")}, 3, "leads out of the scenario's folder");
+  expect_refusal({"check", own("/etc/x.stl")}, 3, "only the command line may give");
+  expect_refusal({"check", own(""), "--set", "target.mesh_file=/no/such.stl"}, 3, "\"/no/such.stl\" does not exist");
+  folder.write("bad.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  expect_refusal({"check", own("bad.obj")}, 3, "\"bad.obj\" is not watertight: 3 of its edges");
+}
+
 TEST(BadInput, MissingFilesAndFolders) {
   const TestFolder folder;
   const std::string missing = folder.file("missing"), place = folder.file("");

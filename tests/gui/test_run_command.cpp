@@ -25,6 +25,16 @@ TEST(Check, PrintsTheModel) {
   }
 }
 
+TEST(Check, PrintsTheTargetsShape) {
+  const auto sphere = run_program({"check", scenario_file("case1.toml")});
+  EXPECT_TRUE(contains(sphere.out, "target         sphere, 9 x 9 x 9 m, volume 381.7 m^3")) << sphere.out;
+  const auto stage = run_program({"check", scenario_file("spent_stage.toml")});
+  EXPECT_EQ(stage.exit_code, 0) << stage.error;
+  for (const char* part : {"mesh \"meshes/upper_stage.obj\", ", " triangles, ", " volume ", "(shape)"}) {
+    EXPECT_TRUE(contains(stage.out, part)) << part << " is not in\n" << stage.out;
+  }
+}
+
 TEST(Check, AppliesSettings) {
   const auto result =
       run_program({"check", scenario_file("case1.toml"), "--set", "closing.duration=5", "--set", "towing.mode=none"});

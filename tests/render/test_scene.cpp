@@ -15,6 +15,7 @@
 #include "render/scene/mesh_builder.h"
 #include "render/scene/time_label.h"
 #include "render/scene/visible_points.h"
+#include "tests/engine/bodies/mesh_samples.h"
 #include "tests/render/synthetic_pocket.h"
 
 namespace netpocket {
@@ -136,6 +137,26 @@ TEST(Mesh, TargetsHaveTheirVolume) {
   EXPECT_NEAR(enclosed_volume(shape_mesh(Sphere{2}, colors).surface) / (4 * std::numbers::pi / 3 * 8), 0.989, 0.006);
   EXPECT_NEAR(enclosed_volume(shape_mesh(Box{{2, 3, 4}}, colors).surface) / 24, 0.991, 1e-3);
   EXPECT_NEAR(enclosed_volume(shape_mesh(Cylinder{1, 3}, colors).surface) / (3 * std::numbers::pi), 0.99, 0.004);
+}
+
+TEST(Mesh, TriangleMeshesAndSatellitesHaveTheirVolume) {
+  const auto& colors = palette(Background::white);
+  const Shape torus = MeshShape{samples::checked_mesh(samples::torus(3, 1, 40, 20))};
+  EXPECT_NEAR(enclosed_volume(plain_shape_mesh(torus)) / volume(torus), 1, 1e-5);
+  EXPECT_NEAR(enclosed_volume(shape_mesh(torus, colors).surface) / volume(torus), 0.99, 0.005);
+  const Shape box = MeshShape{samples::checked_mesh(samples::box({2, 3, 4}))};
+  const auto drawn = shape_mesh(box, colors);
+  EXPECT_EQ(drawn.surface->GetNumberOfPoints(), 24);  // each corner once for each of its three flat faces
+  EXPECT_EQ(drawn.lines->GetNumberOfCells(), 12);     // the sharp edges, without the faces' diagonals
+  const Shape satellite = Satellite({.bus = {2, 2.4, 2}, .span = 8.4, .panel_width = 1.7, .dish_diameter = 1.6});
+  EXPECT_NEAR(enclosed_volume(plain_shape_mesh(satellite)) / volume(satellite), 1, 0.01);
+  double bounds[6];
+  shape_mesh(satellite, colors).surface->GetBounds(bounds);
+  const Eigen::AlignedBox3d extent = extents(satellite);
+  for (int axis = 0; axis < 3; ++axis) {  // what is drawn lies in what is touched, to the wire on a panel
+    EXPECT_GE(bounds[2 * axis], extent.min()[axis] - 1e-3);
+    EXPECT_LE(bounds[2 * axis + 1], extent.max()[axis] + 1e-3);
+  }
 }
 
 TEST(Camera, FramesAllPointsWithinThePicture) {

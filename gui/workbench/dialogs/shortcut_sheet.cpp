@@ -46,6 +46,7 @@ std::vector<Section> sections(const QMenuBar& menus) {
                        {ShortcutSheet::tr("Wheel, right drag, + −"), ShortcutSheet::tr("Zoom")},
                        {ShortcutSheet::tr("Click"), ShortcutSheet::tr("Pick a cord, node or body")},
                        {ShortcutSheet::tr("Double click"), ShortcutSheet::tr("Look at what is there")},
+                       {ShortcutSheet::tr("Drag while moving bodies"), ShortcutSheet::tr("Move target or spacecraft")},
                        {ShortcutSheet::tr("Esc"), ShortcutSheet::tr("Clear the selection")}}});
   sections.push_back({ShortcutSheet::tr("Timeline"),
                       {{ShortcutSheet::tr("Left, right"), ShortcutSheet::tr("One frame back, on")},

@@ -4,12 +4,14 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QToolButton>
 
 namespace netpocket {
 
 MessageBar::MessageBar(Tone tone, QWidget* parent)
     : QFrame(parent), tone_(tone), label_(new QLabel(this)), layout_(new QHBoxLayout(this)) {
   label_->setWordWrap(true);
+  label_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   layout_->setContentsMargins(10, 5, 6, 5);
   layout_->addWidget(label_, 1);
   setAutoFillBackground(true);
@@ -21,6 +23,16 @@ QPushButton* MessageBar::add_button(const QString& text) {
   auto* button = new QPushButton(text, this);
   layout_->addWidget(button);
   return button;
+}
+
+void MessageBar::add_close_button() {
+  auto* button = new QToolButton(this);
+  button->setText(QString::fromUtf8("×"));
+  button->setAutoRaise(true);
+  button->setToolTip(tr("Close this message"));
+  button->setAccessibleName(tr("Close this message"));
+  connect(button, &QToolButton::clicked, this, [this] { show_text({}); });
+  layout_->addWidget(button);
 }
 
 void MessageBar::show_text(const QString& text) {

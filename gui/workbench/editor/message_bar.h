@@ -19,6 +19,9 @@ class MessageBar : public QFrame {
   // A button at the right end.
   QPushButton* add_button(const QString& text);
 
+  // A cross at the right end that hides the bar.
+  void add_close_button();
+
   // Shows the bar; an empty text hides it.
   void show_text(const QString& text);
   QString text() const;

@@ -2,6 +2,8 @@
 
 #include <QCoreApplication>
 #include <QStringList>
+#include <algorithm>
+#include <initializer_list>
 
 #include "engine/scenario/parameter_text.h"
 
@@ -23,9 +25,19 @@ QString list_words(const Eigen::Vector3d& v) {
 QString unused_unless(bool used, const QString& reason) { return used ? QString() : reason; }
 
 QString why_target_unused(std::string_view name, const TargetParameters& target) {
-  if (name == "radius") return unused_unless(target.shape != TargetShape::box, tr("Used for spheres and cylinders."));
-  if (name == "size") return unused_unless(target.shape == TargetShape::box, tr("Used for boxes."));
-  if (name == "length") return unused_unless(target.shape == TargetShape::cylinder, tr("Used for cylinders."));
+  using enum TargetShape;
+  const auto unused_but_for = [&](std::initializer_list<TargetShape> users, const QString& reason) {
+    return unused_unless(std::find(users.begin(), users.end(), target.shape) != users.end(), reason);
+  };
+  if (name == "radius") return unused_but_for({sphere, cylinder}, tr("Used for spheres and cylinders."));
+  if (name == "size") return unused_but_for({box, satellite}, tr("Used for boxes and satellites."));
+  if (name == "length") return unused_but_for({cylinder}, tr("Used for cylinders."));
+  if (name == "span" || name == "panel_width" || name == "dish_diameter")
+    return unused_but_for({satellite}, tr("Used for satellites."));
+  if (name == "mesh_file" || name == "mesh_unit") return unused_but_for({mesh}, tr("Used for meshes."));
+  if (name == "inertia")
+    return unused_unless(target.inertia_from == InertiaSource::given,
+                         tr("Used when inertia is given, not the shape's."));
   return {};
 }
 

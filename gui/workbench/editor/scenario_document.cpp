@@ -20,10 +20,11 @@ constexpr int kUndoLimit = 1000;
 
 bool same_values(const Scenario& a, const Scenario& b) { return differing_keys(a, b).isEmpty(); }
 
-// A text does not have to name its scenario: then the name stays what it was.
-ScenarioResult read(const std::string& text, const std::string& file, const std::string& name) {
+// A text does not have to name its scenario, nor can it say where its files are: then both stay what they were.
+ScenarioResult read(const std::string& text, const std::string& file, const std::string& name, const FileScope& files) {
   ScenarioResult result = read_scenario_text(text, file);
   if (result.ok() && !states(text, *find_parameter("name"))) result.scenario.name = name;
+  result.scenario.files = files;
   return result;
 }
 
@@ -66,7 +67,7 @@ std::string ScenarioDocument::text_with(const State& state, const std::vector<Se
     if (text && parameter->get(state.scenario) != value) text = with_value(*text, *parameter, value);
   }
   if (text) {
-    const ScenarioResult result = read(*text, {}, target.name);
+    const ScenarioResult result = read(*text, {}, target.name, target.files);
     if (result.ok() && same_values(result.scenario, target)) return *text;
   }
   return write_scenario_text(target);
@@ -74,7 +75,7 @@ std::string ScenarioDocument::text_with(const State& state, const std::vector<Se
 
 Diagnostics ScenarioDocument::set_text(const QString& text) {
   std::string bytes = text.toStdString();
-  ScenarioResult result = read(bytes, {}, state_->scenario.name);
+  ScenarioResult result = read(bytes, {}, state_->scenario.name, state_->scenario.files);
   if (!result.ok()) return result.diagnostics;
   if (bytes == state_->text) return {};
   const QStringList keys = differing_keys(state_->scenario, result.scenario);
@@ -189,7 +190,8 @@ void ScenarioDocument::start_from(const Scenario& scenario) {
 
 Diagnostics ScenarioDocument::recover(const LostWork& work) {
   std::string bytes = work.text.toStdString();
-  ScenarioResult result = read(bytes, work.path.toStdString(), QFileInfo(work.path).completeBaseName().toStdString());
+  ScenarioResult result = read(bytes, work.path.toStdString(), QFileInfo(work.path).completeBaseName().toStdString(),
+                               {.folder = folder_of(work.path.toStdString())});
   if (!result.ok()) return result.diagnostics;
   const auto state = std::make_shared<const State>(State{std::move(result.scenario), std::move(bytes)});
   const ScenarioResult file = read_scenario_file(work.path.toStdString());

@@ -1,10 +1,12 @@
 #include "gui/workbench/session/capture_session.h"
 
+#include <QDir>
 #include <QTimer>
 
 namespace netpocket {
 
-CaptureSession::CaptureSession(SessionOptions options) : runs_(options.origin, options.cache_bytes) {
+CaptureSession::CaptureSession(SessionOptions options)
+    : runs_(options.origin, options.cache_bytes, options.folder.isEmpty() ? QDir::tempPath() : options.folder) {
   connect(&runs_, &RunLibrary::frame_loaded, this, &CaptureSession::frame_loaded);
   connect(&runs_, &RunLibrary::failed, this, &CaptureSession::failed);
   const auto notify = [this] {
@@ -51,6 +53,8 @@ void CaptureSession::take(const StrategyChanged& report) {
   emit strategy_answered(report.diagnostics, report.time);
 }
 
+void CaptureSession::take(const CheckpointTaken& report) { runs_.append(report.run, report.checkpoint); }
+
 void CaptureSession::take(const WorkerFailed& report) {
   if (report.run == live_) leave_live_run();
   emit failed(tr("The simulation ended: %1.").arg(QString::fromStdString(report.message)));
@@ -95,18 +99,29 @@ void CaptureSession::single_step() {
 
 void CaptureSession::set_pace(double rate) { worker_->post(SetPace{rate}); }
 
+void CaptureSession::set_threads(int threads) {
+  runs_.set_threads(threads);
+  worker_->post(SetThreads{threads});
+}
+
 void CaptureSession::change_strategy(const Scenario& scenario) {
   if (live_ >= 0) worker_->post(ChangeStrategy{scenario});
 }
 
 bool CaptureSession::branch(const Scenario& scenario) {
   const Run* parent = current();
-  if (parent == nullptr || parent->frame_count() == 0 || !parent->simulated_here) return false;
+  if (parent == nullptr || parent->frame_count() == 0 || !parent->continuable) return false;
   const double time = parent->series.times()[shown_];
   const RunId parent_id = current_;
   leave_live_run();
   live_ = runs_.add_branch(parent_id, time);
-  worker_->post(BeginBranch{live_, parent_id, time, scenario});
+  if (parent->simulated_here) {
+    worker_->post(BeginBranch{live_, parent_id, time, scenario});
+  } else {
+    runs_.read_checkpoints(parent_id, time, [=, this, branch = live_](CheckpointLog log) {
+      worker_->post(BeginBranch{branch, parent_id, time, scenario, std::move(log)});
+    });
+  }
   follow_ = true;
   show_run(live_);
   return true;

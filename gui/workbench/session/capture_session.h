@@ -14,6 +14,7 @@ namespace netpocket {
 struct SessionOptions {
   RunOptions origin;                                 // of the recordings made
   std::size_t cache_bytes = std::size_t{512} << 20;  // of frames in memory
+  QString folder;                                    // for recordings until they are saved; empty: the system's
 };
 
 class CaptureSession : public QObject {
@@ -45,6 +46,8 @@ class CaptureSession : public QObject {
   // One integration step of the live run.
   void single_step();
   void set_pace(double rate);
+  // Of the runs started from now on.
+  void set_threads(int threads);
   // Closing, towing and friction of the live run from now on.
   void change_strategy(const Scenario& scenario);
   // Continues the shown run from the shown frame as a run of its own; the strategy is the scenario's. False when it was
@@ -65,6 +68,7 @@ class CaptureSession : public QObject {
   void take(const FrameReady& report);
   void take(const StateChanged& report);
   void take(const StrategyChanged& report);
+  void take(const CheckpointTaken& report);
   void take(const WorkerFailed& report);
   void leave_live_run();
   void frame_loaded(RunId run, std::size_t index);

@@ -3,6 +3,7 @@
 // Thread contract: the user interface's thread; `file` is used on the storage thread only.
 
 #include <QString>
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -34,12 +35,17 @@ struct Run {
   RunState state = RunState::preparing;
   RunStatus status;
   RunStatistics statistics;
-  double speed = 0;             // simulated seconds for one of wall time, lately
-  bool simulated_here = true;   // can be continued as a branch
+  double speed = 0;  // simulated seconds for one of wall time, lately
+  bool simulated_here = true;
+  bool continuable = true;  // as a branch: what was recorded by another version is not
+  bool temporary = true;    // its recording goes with the session
+  std::size_t saved_frames = 0;
   std::vector<TimeMark> notes;  // own marks, strategy changes and the branch point
 
   std::size_t frame_count() const { return series.times().size(); }
   double end_time() const { return series.times().empty() ? 0 : series.times().back(); }
+  // Whether frames would be lost with the session.
+  bool is_unsaved() const { return temporary && frame_count() > std::max<std::size_t>(saved_frames, 1); }
   // The frame nearest to a time (s); 0 when there is none.
   std::size_t frame_at(double time) const;
 };

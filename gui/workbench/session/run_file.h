@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "engine/dynamics/checkpoint_log.h"
 #include "engine/recording/recorder.h"
 #include "engine/recording/recording.h"
 
@@ -16,17 +17,20 @@ class RunFile {
  public:
   // A temporary recording, removed with the object.
   static std::shared_ptr<RunFile> temporary(const std::string& path);
-  // An existing recording, which is only read.
-  static std::shared_ptr<RunFile> existing(Recording recording);
+  // An existing recording, which is only read; a temporary one is removed with the object.
+  static std::shared_ptr<RunFile> existing(Recording recording, bool temporary);
   ~RunFile();
 
   const std::string& path() const { return path_; }
 
   void begin(const RunOrigin& origin, const Structure& structure);
   void write(const Snapshot& snapshot);
+  void write(const Checkpoint& checkpoint);
   void finish(const RunStatus& status, const RunStatistics& statistics);
-  // Begins with the first `count` frames of another run.
-  void copy_frames(RunFile& source, std::size_t count);
+  // Begins as another run did, with its first `count` frames and what leads to `time` (s).
+  void begin_branch(RunFile& source, std::size_t count, double time, const Structure& structure);
+  // From where the run can be continued at `time` (s).
+  CheckpointLog checkpoint_log(double time, const SimulationOptions& options);
 
   Snapshot frame(std::size_t index);
   // A complete recording of what there is so far, under another name.
@@ -35,6 +39,8 @@ class RunFile {
  private:
   RunFile(std::string path, bool temporary) : path_(std::move(path)), temporary_(temporary) {}
   Recording& reader(std::size_t frame_count);
+  // With everything written so far.
+  Recording& complete_reader();
 
   std::string path_;
   bool temporary_;

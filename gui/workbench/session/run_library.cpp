@@ -1,17 +1,24 @@
 #include "gui/workbench/session/run_library.h"
 
+#include <QFile>
 #include <QFileInfo>
+#include <QUuid>
 
 #include "engine/scenario/read_scenario.h"
 
 namespace netpocket {
 
-RunLibrary::RunLibrary(RunOptions origin, std::size_t cache_bytes) : origin_(std::move(origin)), cache_(cache_bytes) {
+RunLibrary::RunLibrary(RunOptions origin, std::size_t cache_bytes, const QString& folder)
+    : origin_(std::move(origin)), folder_(folder), cache_(cache_bytes) {
   qRegisterMetaType<RunId>("netpocket::RunId");
   qRegisterMetaType<std::size_t>("std::size_t");
 }
 
-RunLibrary::~RunLibrary() { runs_.clear(); }
+RunLibrary::~RunLibrary() {
+  // Recordings are closed before their folder goes.
+  storage_.finish();
+  runs_.clear();
+}
 
 Run* RunLibrary::get(RunId id) {
   const auto run = runs_.find(id);
@@ -29,7 +36,15 @@ std::vector<RunId> RunLibrary::ids() const {
   return ids;
 }
 
-QString RunLibrary::temporary_path(RunId id) const { return folder_.filePath(QString("run%1.h5").arg(id)); }
+std::vector<RunId> RunLibrary::unsaved() const {
+  std::vector<RunId> ids;
+  for (const auto& [id, run] : runs_) {
+    if (run.is_unsaved()) ids.push_back(id);
+  }
+  return ids;
+}
+
+QString RunLibrary::temporary_path(RunId id) const { return QString("%1/run%2.h5").arg(folder_.path()).arg(id); }
 
 RunId RunLibrary::insert(Run run) {
   const RunId id = next_++;
@@ -55,19 +70,20 @@ RunId RunLibrary::add_branch(RunId parent_id, double time) {
   Run run = parent;
   run.name = tr("%1, from %2 s").arg(parent.name).arg(time, 0, 'f', 2);
   run.parent = parent_id;
+  run.simulated_here = true;
   run.branch_time = time;
   run.state = RunState::preparing;
   run.status = {};
+  run.temporary = true;
+  run.saved_frames = 0;
   for (auto& channel : run.series.channels) channel.resize(std::min(channel.size(), count));
   std::erase_if(run.notes, [time](const TimeMark& mark) { return mark.time > time; });
   run.notes.push_back({TimeMark::Kind::branch, time, tr("Branched from %1").arg(parent.name)});
   const RunId id = insert(std::move(run));
   Run& branch = *get(id);
   branch.file = RunFile::temporary(temporary_path(id).toStdString());
-  store([file = branch.file, source = parent.file, count, structure = branch.structure,
-         origin = run_origin(branch.scenario, origin_)] {
-    file->begin(origin, *structure);
-    file->copy_frames(*source, count);
+  store([file = branch.file, source = parent.file, count, time, structure = branch.structure] {
+    file->begin_branch(*source, count, time, *structure);
   });
   for (std::size_t i = 0; i < count; ++i) {
     if (auto frame = cache_.find(parent_id, i)) cache_.add(id, i, std::move(frame));
@@ -94,28 +110,47 @@ void RunLibrary::store(std::function<void()> job) {
 }
 
 void RunLibrary::open(const QString& path) {
-  storage_.post([this, path] {
-    try {
-      auto recording = std::make_shared<Recording>(path.toStdString());
-      const auto scenario = read_scenario_text(recording->origin().scenario_text, path.toStdString()).scenario;
-      later([this, recording, scenario] { add_recording(std::move(*recording), scenario); });
-    } catch (const std::exception& error) {
-      later([this, reason = QString::fromUtf8(error.what())] { emit failed(reason); });
+  storage_.post([this, path] { read_recording(path, false); });
+}
+
+void RunLibrary::recover(const LostRuns& lost) {
+  storage_.post([this, lost] {
+    for (const QString& path : lost.recordings) {
+      const QString place = QString("%1/%2.h5").arg(folder_.path(), QUuid::createUuid().toString(QUuid::WithoutBraces));
+      if (QFile::rename(path, place)) {
+        read_recording(place, true);
+      } else {
+        later([this, path] { emit failed(tr("Cannot take over '%1'.").arg(path)); });
+      }
     }
+    forget(lost);
   });
 }
 
-void RunLibrary::add_recording(Recording recording, const Scenario& scenario) {
+void RunLibrary::read_recording(const QString& path, bool recovered) {
+  try {
+    auto recording = std::make_shared<Recording>(path.toStdString());
+    const auto scenario = read_scenario_text(recording->origin().scenario_text, path.toStdString()).scenario;
+    later([this, recording, scenario, recovered] { add_recording(std::move(*recording), scenario, recovered); });
+  } catch (const std::exception& error) {
+    later([this, reason = QString::fromUtf8(error.what())] { emit failed(reason); });
+  }
+}
+
+void RunLibrary::add_recording(Recording recording, const Scenario& scenario, bool recovered) {
   Run run;
-  run.name = QFileInfo(QString::fromStdString(recording.path())).completeBaseName();
+  run.name = recovered ? tr("%1, recovered").arg(QString::fromStdString(recording.origin().scenario_name))
+                       : QFileInfo(QString::fromStdString(recording.path())).completeBaseName();
   run.scenario = scenario;
   run.structure = std::make_shared<const Structure>(recording.structure());
   run.series = run_series(recording);
   run.state = RunState::recorded;
   run.simulated_here = false;
+  run.continuable = why_not_resumable(recording, origin_).empty();
+  run.temporary = recovered;
   run.status = recording.status();
   run.statistics = recording.statistics();
-  run.file = RunFile::existing(std::move(recording));
+  run.file = RunFile::existing(std::move(recording), recovered);
   emit run_added(insert(std::move(run)));
 }
 
@@ -179,6 +214,21 @@ void RunLibrary::append(RunId id, std::shared_ptr<const Snapshot> frame, const R
   emit frames_added(id);
 }
 
+void RunLibrary::append(RunId id, std::shared_ptr<const Checkpoint> checkpoint) {
+  const Run* run = find(id);
+  if (run == nullptr) return;
+  store([file = run->file, checkpoint = std::move(checkpoint)] { file->write(*checkpoint); });
+}
+
+void RunLibrary::read_checkpoints(RunId id, double time, std::function<void(CheckpointLog)> use) {
+  const Run* run = find(id);
+  if (run == nullptr) return;
+  store([this, file = run->file, time, threads = origin_.threads, use = std::move(use)] {
+    CheckpointLog log = file->checkpoint_log(time, {threads});
+    later([use, log = std::move(log)] { use(log); });
+  });
+}
+
 void RunLibrary::set_state(RunId id, RunState state, const RunStatus& status, const RunStatistics& statistics) {
   Run* run = get(id);
   if (run == nullptr) return;
@@ -209,33 +259,40 @@ void RunLibrary::finish(RunId id) {
 
 std::shared_ptr<const Snapshot> RunLibrary::frame(RunId id, std::size_t index) {
   if (auto frame = cache_.find(id, index)) return frame;
-  wanted_ = Request{id, index};
-  if (!loading_) load(*wanted_);
+  wanted_[id] = index;
+  load_next();
   return nullptr;
 }
 
-void RunLibrary::load(const Request& request) {
-  const Run* run = find(request.run);
-  if (run == nullptr || request.index >= run->frame_count()) return;
+void RunLibrary::load_next() {
+  while (!loading_ && !wanted_.empty()) {
+    const auto [id, index] = *wanted_.begin();
+    wanted_.erase(wanted_.begin());
+    load(id, index);
+  }
+}
+
+void RunLibrary::load(RunId id, std::size_t index) {
+  const Run* run = find(id);
+  if (run == nullptr || index >= run->frame_count()) return;
   loading_ = true;
-  wanted_.reset();
-  storage_.post([this, request, file = run->file] {
+  storage_.post([this, id, index, file = run->file] {
     std::shared_ptr<const Snapshot> frame;
     QString reason;
     try {
-      frame = std::make_shared<const Snapshot>(file->frame(request.index));
+      frame = std::make_shared<const Snapshot>(file->frame(index));
     } catch (const std::exception& error) {
       reason = QString::fromUtf8(error.what());
     }
-    later([this, request, frame, reason] {
+    later([this, id, index, frame, reason] {
       loading_ = false;
-      if (frame && find(request.run)) {
-        cache_.add(request.run, request.index, frame);
-        emit frame_loaded(request.run, request.index);
+      if (frame && find(id)) {
+        cache_.add(id, index, frame);
+        emit frame_loaded(id, index);
       } else if (!frame) {
         emit failed(reason);
       }
-      if (wanted_ && !loading_) load(*wanted_);
+      load_next();
     });
   });
 }
@@ -243,10 +300,13 @@ void RunLibrary::load(const Request& request) {
 void RunLibrary::save(RunId id, const QString& path) {
   const Run* run = find(id);
   if (run == nullptr) return;
-  storage_.post([this, file = run->file, path] {
+  storage_.post([this, id, file = run->file, count = run->frame_count(), path] {
     try {
       file->save_as(path.toStdString());
-      later([this, path] { emit saved(path); });
+      later([this, id, count, path] {
+        if (Run* saved_run = get(id)) saved_run->saved_frames = std::max(saved_run->saved_frames, count);
+        emit saved(path);
+      });
     } catch (const std::exception& error) {
       later([this, reason = QString::fromUtf8(error.what())] { emit failed(reason); });
     }

@@ -3,13 +3,12 @@
 // Thread contract: the user interface's thread.
 
 #include <QObject>
-#include <QTemporaryDir>
 #include <map>
-#include <optional>
 
 #include "engine/dynamics/run.h"
 #include "gui/workbench/session/frame_cache.h"
 #include "gui/workbench/session/run.h"
+#include "gui/workbench/session/run_folder.h"
 #include "gui/workbench/session/storage_thread.h"
 
 namespace netpocket {
@@ -17,8 +16,8 @@ namespace netpocket {
 class RunLibrary : public QObject {
   Q_OBJECT
  public:
-  // Recordings of runs simulated here carry `origin`.
-  explicit RunLibrary(RunOptions origin, std::size_t cache_bytes);
+  // Recordings of runs simulated here carry `origin` and lie below `folder` until they are saved.
+  RunLibrary(RunOptions origin, std::size_t cache_bytes, const QString& folder);
   ~RunLibrary() override;
 
   // A run whose frames are still to come.
@@ -27,29 +26,37 @@ class RunLibrary : public QObject {
   RunId add_branch(RunId parent, double time);
   // Reads a recording in the background; then run_added() or failed() follows.
   void open(const QString& path);
+  // Takes over what a crashed session has left; as open(), and unsaved as it was.
+  void recover(const LostRuns& lost);
   void remove(RunId id);
 
   // In the order in which they were added.
   std::vector<RunId> ids() const;
   // Null when there is none.
   const Run* find(RunId id) const;
+  std::vector<RunId> unsaved() const;
   void rename(RunId id, const QString& name);
   void add_note(RunId id, const TimeMark& mark);
   void remove_note(RunId id, double time);
 
   void begin(RunId id, std::shared_ptr<const Structure> structure, const Scenario& scenario);
   void append(RunId id, std::shared_ptr<const Snapshot> frame, const RunStatistics& statistics, double speed);
+  void append(RunId id, std::shared_ptr<const Checkpoint> checkpoint);
+  // Reads from a run's recording what leads to `time` (s), then calls `use` on the user interface's thread.
+  void read_checkpoints(RunId id, double time, std::function<void(CheckpointLog)> use);
   void set_state(RunId id, RunState state, const RunStatus& status, const RunStatistics& statistics);
   void set_scenario(RunId id, const Scenario& scenario);
   // Stores how the run ended; no frame follows.
   void finish(RunId id);
 
-  // Null when it has to be read first: then frame_loaded() follows. Of several such requests the last one counts.
+  // Null when it has to be read first: then frame_loaded() follows. Of several such requests for a run the last counts.
   std::shared_ptr<const Snapshot> frame(RunId id, std::size_t index);
 
   // Frames wait to be written: no more should come for now.
   bool is_busy() const { return storage_.waiting() > kMostWaiting; }
   void set_cache_bytes(std::size_t bytes) { cache_.set_capacity(bytes); }
+  // Of the recordings made from now on.
+  void set_threads(int threads) { origin_.threads = threads; }
   std::size_t cache_bytes() const { return cache_.bytes(); }
 
   // Writes the run as a recording of its own in the background; then saved() or failed() follows.
@@ -70,16 +77,11 @@ class RunLibrary : public QObject {
   void run_changed(netpocket::RunId id);  // state, name or notes
   void frames_added(netpocket::RunId id);
   void frame_loaded(netpocket::RunId id, std::size_t index);
-  void saved(const QString& path);
+  void saved(const QString& path);  // and the run is not unsaved any more
   void failed(const QString& reason);
 
  private:
   static constexpr std::size_t kMostWaiting = 64;
-
-  struct Request {
-    RunId run;
-    std::size_t index;
-  };
 
   RunId insert(Run run);
   Run* get(RunId id);
@@ -87,15 +89,17 @@ class RunLibrary : public QObject {
   // Runs a job on the storage thread; a RecordingError is reported.
   void store(std::function<void()> job);
   void later(std::function<void()> action);
-  void add_recording(Recording recording, const Scenario& scenario);
-  void load(const Request& request);
+  void add_recording(Recording recording, const Scenario& scenario, bool recovered);
+  void read_recording(const QString& path, bool recovered);
+  void load(RunId id, std::size_t index);
+  void load_next();
 
   RunOptions origin_;
-  QTemporaryDir folder_;
+  RunFolder folder_;
   std::map<RunId, Run> runs_;
   RunId next_ = 0;
   FrameCache cache_;
-  std::optional<Request> wanted_;
+  std::map<RunId, std::size_t> wanted_;  // frames to load next
   bool loading_ = false;
   bool write_failed_ = false;
   StorageThread storage_;  // last: it ends before the rest goes

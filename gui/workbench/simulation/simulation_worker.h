@@ -39,7 +39,7 @@ class SimulationWorker {
   static constexpr std::size_t kWaitingReports = 16;
 
   std::function<void()> notify_;
-  int threads_;
+  int threads_;  // used by the worker's thread only
   BoundedQueue<WorkerReport> reports_{kWaitingReports};
   mutable std::mutex mutex_;
   std::condition_variable_any changed_;

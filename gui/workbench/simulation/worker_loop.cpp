@@ -4,6 +4,12 @@
 #include <cmath>
 
 namespace netpocket {
+namespace {
+
+// s: steps end at frames but for rounding.
+constexpr double kRounding = 5e-7;
+
+}  // namespace
 
 void WorkerLoop::run() {
   while (!stop_.stop_requested()) {
@@ -46,6 +52,7 @@ void WorkerLoop::on(const BeginRun& command) {
 }
 
 void WorkerLoop::on(const BeginBranch& command) {
+  if (command.log) logs_[command.parent] = *command.log;
   const auto parent = logs_.find(command.parent);
   if (parent == logs_.end()) throw std::runtime_error("a run that was opened from a file cannot be continued");
   run_ = command.run;
@@ -61,6 +68,7 @@ void WorkerLoop::install(RunId run, Simulation simulation) {
   simulation_.emplace(std::move(simulation));
   worker_.report(RunBegun{run, std::make_shared<const Structure>(simulation_->structure()), simulation_->scenario()});
   frame_time_ = -1;
+  next_checkpoint_ = 0;
   report_frame();
   report_state(WorkerState::paused, {});
 }
@@ -96,9 +104,11 @@ void WorkerLoop::on(const SingleStep&) {
 
 void WorkerLoop::on(const SetPace& command) { pace_.set_rate(command.rate); }
 
+void WorkerLoop::on(const SetThreads& command) { worker_.threads_ = command.threads; }
+
 void WorkerLoop::on(const ChangeStrategy& command) {
   if (!simulation_) return;
-  logs_[run_].note_change(*simulation_, command.scenario);
+  report_checkpoint(&command.scenario);
   Diagnostics refused;
   for (const std::string& key : simulation_->change_strategy(command.scenario)) {
     refused.add({.key = key, .message = "acts from a restart only"});
@@ -107,16 +117,14 @@ void WorkerLoop::on(const ChangeStrategy& command) {
 }
 
 double WorkerLoop::next_frame_time() const {
-  constexpr double kRounding = 1e-6;  // of an interval
+  constexpr double kPart = 1e-6;  // of an interval
   const OutputParameters& output = simulation_->scenario().output;
-  const double interval = std::floor(simulation_->time() * output.frame_rate + kRounding) + 1;
+  const double interval = std::floor(simulation_->time() * output.frame_rate + kPart) + 1;
   return std::min(interval / output.frame_rate, output.end_time);
 }
 
 void WorkerLoop::advance() {
   const double end = std::min(goal_.until, simulation_->scenario().output.end_time);
-  // Half a microsecond of tolerance: steps end at frames but for rounding.
-  constexpr double kRounding = 5e-7;
   if (simulation_->time() < end - kRounding) {
     const RunStatus status = simulation_->advance(std::min(next_frame_time(), end), worker_.interruption());
     if (status.reason == RunReason::stopped) return;
@@ -141,9 +149,18 @@ void WorkerLoop::report_frame() {
   if (!snapshot->positions.allFinite()) return;
   frame_time_ = simulation_->time();
   logs_[run_].note_state(*simulation_);
+  if (frame_time_ > next_checkpoint_ - kRounding) report_checkpoint();
   pace_.note(frame_time_, RunPace::Clock::now());
   after_frame(*snapshot);
   worker_.report(FrameReady{run_, std::move(snapshot), simulation_->statistics(), pace_.speed()});
+}
+
+// With a strategy: the one that takes over now.
+void WorkerLoop::report_checkpoint(const Scenario* strategy) {
+  auto checkpoint = std::make_shared<const Checkpoint>(take_checkpoint(*simulation_, strategy));
+  if (strategy != nullptr) logs_[run_].note_change(checkpoint);
+  next_checkpoint_ = simulation_->time() + kCheckpointInterval;
+  worker_.report(CheckpointTaken{run_, std::move(checkpoint)});
 }
 
 void WorkerLoop::after_frame(const Snapshot& snapshot) {

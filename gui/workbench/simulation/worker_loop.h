@@ -4,7 +4,6 @@
 #include <map>
 
 #include "engine/dynamics/simulation.h"
-#include "gui/workbench/simulation/checkpoint_log.h"
 #include "gui/workbench/simulation/run_pace.h"
 #include "gui/workbench/simulation/simulation_worker.h"
 
@@ -25,6 +24,7 @@ class WorkerLoop {
   void on(const Pause& command);
   void on(const SingleStep& command);
   void on(const SetPace& command);
+  void on(const SetThreads& command);
   void on(const ChangeStrategy& command);
 
   void install(RunId run, Simulation simulation);
@@ -32,6 +32,7 @@ class WorkerLoop {
   void after_frame(const Snapshot& snapshot);
   double next_frame_time() const;
   void report_frame();
+  void report_checkpoint(const Scenario* strategy = nullptr);
   void report_state(WorkerState state, const RunStatus& status);
   void guard(const std::function<void()>& action);
 
@@ -42,8 +43,9 @@ class WorkerLoop {
   std::map<RunId, CheckpointLog> logs_;  // of all runs, for branches
   bool running_ = false;
   Resume goal_;
-  bool touched_ = false;    // whether the last frame had contact
-  double frame_time_ = -1;  // s, of the last frame reported
+  bool touched_ = false;        // whether the last frame had contact
+  double frame_time_ = -1;      // s, of the last frame reported
+  double next_checkpoint_ = 0;  // s, for the recording
   RunPace pace_;
 };
 

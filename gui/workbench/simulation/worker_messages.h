@@ -4,9 +4,11 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 
+#include "engine/dynamics/checkpoint_log.h"
 #include "engine/recording/run_status.h"
 #include "engine/recording/snapshot.h"
 #include "engine/recording/structure.h"
@@ -31,6 +33,8 @@ struct BeginBranch {
   RunId parent;
   double time;
   Scenario scenario;  // whose strategy acts from there on
+  // Of a parent that was opened from a file; the worker has those of its own runs.
+  std::optional<CheckpointLog> log = {};
 };
 // Runs on, at most to `until` (s) or to the first contact after now.
 struct Resume {
@@ -44,11 +48,16 @@ struct SingleStep {};
 struct SetPace {
   double rate = 0;
 };
+// Threads inside a simulation, of those begun from now on.
+struct SetThreads {
+  int threads = 1;
+};
 // Closing law, towing and friction act as in this scenario from now on.
 struct ChangeStrategy {
   Scenario scenario;
 };
-using WorkerCommand = std::variant<BeginRun, BeginBranch, Resume, Pause, SingleStep, SetPace, ChangeStrategy>;
+using WorkerCommand =
+    std::variant<BeginRun, BeginBranch, Resume, Pause, SingleStep, SetPace, SetThreads, ChangeStrategy>;
 
 // From the worker.
 
@@ -76,11 +85,16 @@ struct StrategyChanged {
   Scenario scenario;        // in force now
   Diagnostics diagnostics;  // why it was refused: then nothing has changed
 };
+// From where the run can be continued later: for its recording.
+struct CheckpointTaken {
+  RunId run;
+  std::shared_ptr<const Checkpoint> checkpoint;
+};
 // Something unexpected ended the run.
 struct WorkerFailed {
   RunId run;
   std::string message;  // one sentence
 };
-using WorkerReport = std::variant<RunBegun, FrameReady, StateChanged, StrategyChanged, WorkerFailed>;
+using WorkerReport = std::variant<RunBegun, FrameReady, StateChanged, StrategyChanged, CheckpointTaken, WorkerFailed>;
 
 }  // namespace netpocket

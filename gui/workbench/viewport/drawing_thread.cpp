@@ -3,9 +3,9 @@
 #include <vtkNew.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
 #include <chrono>
 
-#include "gui/workbench/viewport/scene_drawing.h"
 #include "render/gl/gl_host.h"
 
 namespace netpocket {
@@ -23,39 +23,86 @@ QImage read_image(HostedRenderWindow& window) {
 
 }  // namespace
 
-DrawingThread::DrawingThread(std::function<void(DrawnPicture)> deliver)
-    : deliver_(std::move(deliver)), thread_([this](const std::stop_token& stop) { run(stop); }) {}
+std::shared_ptr<DrawingThread> DrawingThread::shared() {
+  static std::mutex mutex;
+  static std::weak_ptr<DrawingThread> existing;
+  const std::lock_guard lock(mutex);
+  auto thread = existing.lock();
+  if (!thread) existing = thread = std::make_shared<DrawingThread>();
+  return thread;
+}
+
+DrawingThread::DrawingThread() : thread_([this](const std::stop_token& stop) { run(stop); }) {}
 
 DrawingThread::~DrawingThread() = default;
 
-void DrawingThread::request(const ViewState& state, int width, int height) {
+int DrawingThread::add(Deliver deliver) {
   const std::lock_guard lock(mutex_);
-  pending_ = Request{state, width, height};
+  canvases_[next_].deliver = std::move(deliver);
+  return next_++;
+}
+
+void DrawingThread::remove(int canvas) {
+  std::unique_lock lock(mutex_);
+  const auto place = canvases_.find(canvas);
+  if (place == canvases_.end()) return;
+  place->second.removed = true;
+  changed_.notify_one();
+  gone_.wait(lock, [&] { return !canvases_.contains(canvas); });
+}
+
+void DrawingThread::request(int canvas, const ViewState& state, int width, int height) {
+  const std::lock_guard lock(mutex_);
+  const auto place = canvases_.find(canvas);
+  if (place == canvases_.end()) return;
+  place->second.pending = Request{state, width, height};
   changed_.notify_one();
 }
 
-std::optional<DrawingThread::Request> DrawingThread::wait_for_request(const std::stop_token& stop) {
-  std::unique_lock lock(mutex_);
-  if (!changed_.wait(lock, stop, [this] { return pending_.has_value(); })) return std::nullopt;
-  return std::exchange(pending_, std::nullopt);
+bool DrawingThread::has_work() const {
+  return std::ranges::any_of(canvases_, [](const auto& c) { return c.second.removed || c.second.pending; });
+}
+
+std::map<int, DrawingThread::Canvas>::iterator DrawingThread::next_work() {
+  auto place = canvases_.upper_bound(last_);
+  for (std::size_t i = 0; i < canvases_.size(); ++i, ++place) {
+    if (place == canvases_.end()) place = canvases_.begin();
+    if (place->second.removed || place->second.pending) break;
+  }
+  last_ = place->first;
+  return place;
 }
 
 void DrawingThread::run(const std::stop_token& stop) {
-  try {
-    draw_all(stop);
-  } catch (const std::exception& error) {
-    deliver_({{}, {}, 0, error.what()});
+  std::unique_lock lock(mutex_);
+  while (changed_.wait(lock, stop, [this] { return has_work(); })) {
+    // Only this thread takes canvases out, so the place stays good while the lock is not held.
+    const auto place = next_work();
+    Canvas& canvas = place->second;
+    if (canvas.removed) {
+      canvas.drawing.reset();
+      canvases_.erase(place);
+      gone_.notify_all();
+      continue;
+    }
+    const Request request = *std::exchange(canvas.pending, std::nullopt);
+    lock.unlock();
+    DrawnPicture picture = draw(canvas.drawing, request);
+    canvas.deliver(std::move(picture));
+    lock.lock();
   }
 }
 
-void DrawingThread::draw_all(const std::stop_token& stop) {
-  SceneDrawing drawing(make_gl_host(GlBackend::automatic));
-  while (const auto request = wait_for_request(stop)) {
+DrawnPicture DrawingThread::draw(std::unique_ptr<SceneDrawing>& drawing, const Request& request) {
+  try {
     const auto start = std::chrono::steady_clock::now();
-    drawing.draw(request->state, request->width, request->height);
-    QImage image = read_image(drawing.window());
+    if (!drawing) drawing = std::make_unique<SceneDrawing>(make_gl_host(GlBackend::automatic));
+    drawing->draw(request.state, request.width, request.height);
+    QImage image = read_image(drawing->window());
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    deliver_({std::move(image), request->state, elapsed.count(), {}});
+    return {std::move(image), request.state, elapsed.count(), {}};
+  } catch (const std::exception& error) {
+    return {{}, {}, 0, error.what()};
   }
 }
 

@@ -6,16 +6,16 @@
 
 namespace netpocket {
 
-ImagePresenter::ImagePresenter() {
+ImagePresenter::ImagePresenter() : thread_(DrawingThread::shared()) {
   setAttribute(Qt::WA_OpaquePaintEvent);
-  thread_ = std::make_unique<DrawingThread>([this](DrawnPicture drawn) {
+  canvas_ = thread_->add([this](DrawnPicture drawn) {
     // Pending deliveries are dropped by Qt when this widget goes.
     QMetaObject::invokeMethod(
         this, [this, drawn = std::move(drawn)] { take(drawn); }, Qt::QueuedConnection);
   });
 }
 
-ImagePresenter::~ImagePresenter() { thread_.reset(); }
+ImagePresenter::~ImagePresenter() { thread_->remove(canvas_); }
 
 QString ImagePresenter::description() const {
   return QCoreApplication::translate("ImagePresenter", "images drawn on a thread of their own");
@@ -32,7 +32,7 @@ void ImagePresenter::request_picture() {
   const auto pixels = [this](int length) {
     return std::max(1, static_cast<int>(std::lround(length * devicePixelRatioF())));
   };
-  if (state_.options && !size().isEmpty()) thread_->request(state_, pixels(width()), pixels(height()));
+  if (state_.options && !size().isEmpty()) thread_->request(canvas_, state_, pixels(width()), pixels(height()));
 }
 
 void ImagePresenter::take(const DrawnPicture& drawn) {

@@ -28,7 +28,8 @@ class ImagePresenter final : public QWidget, public Presenter {
 
   ViewState state_;
   QImage picture_;
-  std::unique_ptr<DrawingThread> thread_;  // last: it is stopped before the rest goes
+  std::shared_ptr<DrawingThread> thread_;
+  int canvas_;
 };
 
 }  // namespace netpocket

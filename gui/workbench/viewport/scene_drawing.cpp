@@ -15,6 +15,7 @@ SceneDrawing::~SceneDrawing() {
 }
 
 void SceneDrawing::draw(const ViewState& state, int width, int height) {
+  window_->MakeCurrent();  // another viewport's context may be
   window_->SetSize(width, height);
   const bool other_scene = state.structure != shown_.structure || state.options != shown_.options;
   if (other_scene) build_scene(state);

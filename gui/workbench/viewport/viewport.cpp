@@ -17,6 +17,12 @@ constexpr double kKeyPan = 0.05;                          // of the picture's he
 constexpr double kKeyZoom = 1.15;
 constexpr double kClickRadius = 4;  // pixels that the mouse may move in a click
 
+std::shared_ptr<const Snapshot> with_body_at(const Snapshot& snapshot, std::size_t body, const Eigen::Vector3d& place) {
+  auto moved = std::make_shared<Snapshot>(snapshot);
+  moved->bodies[body].position = place;
+  return moved;
+}
+
 }  // namespace
 
 Viewport::Viewport(PresenterKind kind, QWidget* parent)
@@ -49,8 +55,13 @@ void Viewport::set_pocket(std::shared_ptr<const Structure> structure, std::share
     // What was picked may not exist in another pocket.
     select(std::nullopt);
     measured_.clear();
+    if (structure == nullptr || !state_.structure || structure->bodies.size() != state_.structure->bodies.size()) {
+      end_drag();
+    }
   }
   state_.structure = std::move(structure);
+  // A preview comes later than the drag that it follows: the body stays under the mouse.
+  if (drag_ == Drag::body && moved_ && snapshot) snapshot = with_body_at(*snapshot, dragged_body_, dragged_to_);
   set_snapshot(std::move(snapshot));
 }
 
@@ -160,9 +171,20 @@ void Viewport::select(std::optional<Pick> pick) {
 void Viewport::set_measuring(bool measuring) {
   measuring_ = measuring;
   measured_.clear();
-  setCursor(measuring ? Qt::CrossCursor : Qt::ArrowCursor);
+  show_cursor();
   overlay_->set_hint(measuring ? tr("Click two points to measure their distance") : QString());
   update_overlay(shown_);
+}
+
+void Viewport::set_moving(bool moving) {
+  if (!moving) end_drag();
+  moving_ = moving;
+  show_cursor();
+  overlay_->set_hint(moving ? tr("Drag the target or the spacecraft; with Shift along one axis") : QString());
+}
+
+void Viewport::show_cursor() {
+  setCursor(measuring_ ? Qt::CrossCursor : moving_ ? Qt::OpenHandCursor : Qt::ArrowCursor);
 }
 
 void Viewport::set_hint(const QString& hint) { overlay_->set_hint(hint); }
@@ -186,6 +208,7 @@ void Viewport::mousePressEvent(QMouseEvent* event) {
   switch (event->button()) {
     case Qt::LeftButton:
       drag_ = shift ? Drag::pan : control ? Drag::roll : Drag::orbit;
+      if (moving_ && grab_body(event->position())) drag_ = Drag::body;
       break;
     case Qt::MiddleButton:
       drag_ = Drag::pan;
@@ -205,7 +228,38 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
   if (drag_ == Drag::none) return;
   const QPointF way = event->position() - pressed_at_;
   moved_ = moved_ || std::hypot(way.x(), way.y()) > kClickRadius;
-  if (moved_) drag_to(event->position());
+  if (!moved_) return;
+  if (drag_ == Drag::body) {
+    drag_body_to(event->position(), event->modifiers() & Qt::ShiftModifier);
+  } else {
+    drag_to(event->position());
+  }
+}
+
+bool Viewport::grab_body(const QPointF& position) {
+  const auto pick = pick_at(shown_, position, size());
+  if (!pick || pick->kind != PickKind::body || shown_.structure != state_.structure) return false;
+  dragged_body_ = static_cast<std::size_t>(pick->index);
+  if (state_.structure->bodies[dragged_body_].role == BodyRole::other) return false;
+  const auto grabbed = position_of(*pick, *state_.structure, *shown_.snapshot);
+  body_drag_ = BodyDrag(OrbitCamera(shown_.camera), size(), *grabbed, shown_.snapshot->bodies[dragged_body_].position);
+  setCursor(Qt::ClosedHandCursor);
+  emit body_drag_started();
+  return true;
+}
+
+void Viewport::drag_body_to(const QPointF& position, bool along_one_axis) {
+  dragged_to_ = body_drag_->center_at(position, along_one_axis);
+  state_.snapshot = with_body_at(*state_.snapshot, dragged_body_, dragged_to_);
+  refresh();
+  emit body_dragged(state_.structure->bodies[dragged_body_].role, dragged_to_);
+}
+
+void Viewport::end_drag() {
+  const bool body = std::exchange(drag_, Drag::none) == Drag::body;
+  body_drag_.reset();
+  show_cursor();
+  if (body) emit body_drag_ended();
 }
 
 void Viewport::drag_to(const QPointF& position) {
@@ -224,7 +278,7 @@ void Viewport::drag_to(const QPointF& position) {
 
 void Viewport::mouseReleaseEvent(QMouseEvent* event) {
   const bool clicked = drag_ != Drag::none && !moved_ && event->button() == Qt::LeftButton;
-  drag_ = Drag::none;
+  end_drag();
   if (clicked) click(event->position());
 }
 

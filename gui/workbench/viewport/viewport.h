@@ -2,12 +2,14 @@
 // Shows a pocket and lets it be looked at from all sides.
 //
 // Left drag: orbit; with Shift, or middle drag: pan; with Ctrl: roll; right drag or wheel: zoom. Click: pick; double
-// click: look at what is there. Arrow keys orbit, with Shift they pan; + and - zoom.
+// click: look at what is there. Arrow keys orbit, with Shift they pan; + and - zoom. While bodies are moved: left drag
+// of the target or the spacecraft moves it, with Shift along one axis.
 
 #include <QWidget>
 #include <memory>
 #include <optional>
 
+#include "gui/workbench/viewport/body_drag.h"
 #include "gui/workbench/viewport/orbit_camera.h"
 #include "gui/workbench/viewport/picker.h"
 #include "gui/workbench/viewport/presenter.h"
@@ -42,6 +44,9 @@ class Viewport : public QWidget {
 
   void set_measuring(bool measuring);
   bool is_measuring() const { return measuring_; }
+  // Whether a left drag moves the body under the mouse. The picture follows at once; what else a move means is for
+  // those to do who listen to body_dragged().
+  void set_moving(bool moving);
   void select(std::optional<Pick> pick);
   const std::optional<Pick>& selection() const { return selection_; }
   const std::vector<Pick>& measured() const { return measured_; }
@@ -61,6 +66,9 @@ class Viewport : public QWidget {
   void plot_requested(const netpocket::Pick& pick);
   void view_changed();
   void picture_shown(double time, double seconds);  // s: simulated; taken to draw
+  void body_drag_started();
+  void body_dragged(netpocket::BodyRole role, const Eigen::Vector3d& position);  // m, centre of mass
+  void body_drag_ended();
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -72,13 +80,17 @@ class Viewport : public QWidget {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
-  enum class Drag { none, orbit, pan, roll, zoom };
+  enum class Drag { none, orbit, pan, roll, zoom, body };
 
   void refresh();
   void picture_came(const ViewState& shown, double seconds);
   void update_overlay(const ViewState& shown);
   void set_camera(const OrbitCamera& camera);
   void drag_to(const QPointF& position);
+  bool grab_body(const QPointF& position);
+  void drag_body_to(const QPointF& position, bool along_one_axis);
+  void show_cursor();
+  void end_drag();
   void click(const QPointF& position);
   Eigen::Vector3d target_position(const Snapshot& snapshot) const;
   void place_panel();
@@ -92,10 +104,14 @@ class Viewport : public QWidget {
   bool framed_ = false;  // whether the camera has been aimed at a pocket
   bool follow_ = false;
   bool measuring_ = false;
+  bool moving_ = false;
   std::optional<Pick> selection_;
   std::vector<Pick> measured_;
   Drag drag_ = Drag::none;
-  bool moved_ = false;  // since the button went down
+  std::optional<BodyDrag> body_drag_;
+  std::size_t dragged_body_ = 0;
+  Eigen::Vector3d dragged_to_{0, 0, 0};  // m, world
+  bool moved_ = false;                   // since the button went down
   QPointF pressed_at_;
   QPointF last_;
 };

@@ -48,20 +48,13 @@ INSTANTIATE_TEST_SUITE_P(Shapes, ShapeTest, testing::ValuesIn(kCases),
 
 // FCL's cylinder lies along its z axis.
 fcl::CollisionObjectd fcl_object(const Shape& shape) {
-  struct Maker {
-    fcl::CollisionObjectd operator()(const Sphere& s) const {
-      return fcl::CollisionObjectd(std::make_shared<fcl::Sphered>(s.radius));
-    }
-    fcl::CollisionObjectd operator()(const Box& b) const {
-      return fcl::CollisionObjectd(std::make_shared<fcl::Boxd>(b.size));
-    }
-    fcl::CollisionObjectd operator()(const Cylinder& c) const {
-      fcl::Transform3d pose = fcl::Transform3d::Identity();
-      pose.linear() = Eigen::AngleAxisd(-std::numbers::pi / 2, Vector3d::UnitX()).toRotationMatrix();
-      return {std::make_shared<fcl::Cylinderd>(c.radius, c.length), pose};
-    }
-  };
-  return std::visit(Maker{}, shape);
+  if (const auto* s = std::get_if<Sphere>(&shape))
+    return fcl::CollisionObjectd(std::make_shared<fcl::Sphered>(s->radius));
+  if (const auto* b = std::get_if<Box>(&shape)) return fcl::CollisionObjectd(std::make_shared<fcl::Boxd>(b->size));
+  const auto& c = std::get<Cylinder>(shape);
+  fcl::Transform3d pose = fcl::Transform3d::Identity();
+  pose.linear() = Eigen::AngleAxisd(-std::numbers::pi / 2, Vector3d::UnitX()).toRotationMatrix();
+  return {std::make_shared<fcl::Cylinderd>(c.radius, c.length), pose};
 }
 
 TEST_P(ShapeTest, DistanceOutsideIsThatOfFcl) {

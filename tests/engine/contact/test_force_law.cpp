@@ -85,7 +85,7 @@ TEST(ForceLaw, NothingActsAcrossAGap) {
     for (double speed : {-10.0, 0.0, 10.0}) {
       EXPECT_EQ(normal_force(law, penetration, speed), 0);
       EXPECT_EQ(repulsive_normal_force(law, penetration, speed), 0);
-      EXPECT_EQ(semi_implicit_normal_force(law, penetration, speed, 1 / kMass, 1e-4), 0);
+      EXPECT_EQ(stepped_normal_force(law, penetration, {speed, speed}, 1 / kMass, 1e-4), 0);
       EXPECT_EQ(elastic_energy(law, penetration), 0);
     }
   }
@@ -150,99 +150,123 @@ TEST(ForceLaw, UndampedImpactIsThatOfHertz) {
   }
 }
 
-// Symplectic Euler with the semi-implicit force, starting `phase` of a step before touch.
-double semi_implicit_rebound(const NormalLaw& law, double speed, double dt, double phase) {
-  Impact now{-phase * speed * dt, -speed};
-  double force = 0;
-  do {
-    now.penetration -= now.separation_speed * dt;
-    force = semi_implicit_normal_force(law, now.penetration, now.separation_speed, 1 / kMass, dt);
+TEST(ForceLaw, StiffnessOfAnImpactInvertsHertzsDuration) {
+  for (const double duration : {1e-4, 1e-3}) {
+    for (const double speed : {0.1, 10.0}) {
+      const double stiffness = stiffness_of_impact(kMass, speed, duration);
+      EXPECT_NEAR(hertz_duration(stiffness, kMass, speed), duration, 1e-12 * duration);
+    }
+  }
+}
+
+// Leapfrog with the stepped force from first touch, which comes `phase` of a step before a step's end.
+double stepped_rebound(const NormalLaw& law, double speed, double dt, double phase) {
+  Impact now{phase * speed * dt, -speed};
+  while (now.penetration > 0) {
+    const double force =
+        stepped_normal_force(law, now.penetration, {now.separation_speed, now.separation_speed}, 1 / kMass, dt);
     now.separation_speed += force / kMass * dt;
-  } while (now.penetration > 0 || now.separation_speed < 0);
+    now.penetration -= now.separation_speed * dt;
+  }
   return now.separation_speed;
 }
 
-// Mean impulse over the moments of touch within a step, relative to that of the continuous law.
-double mean_relative_impulse(double restitution, double dt) {
-  const double speed = 0.3;
-  const NormalLaw law = make_normal_law(kStiffness, restitution, kMass);
-  const auto force = [&](double d, double v) { return repulsive_normal_force(law, d, v); };
-  const double exact = collide(force, kMass, speed, hertz_duration(kStiffness, kMass, speed) / 20000).rebound_speed;
-  double sum = 0;
-  const int phases = 200;
-  for (int i = 0; i < phases; ++i) sum += speed + semi_implicit_rebound(law, speed, dt, (i + 0.5) / phases);
-  return sum / phases / (speed + exact);
+struct Rebounds {
+  double smallest = 2, mean = 0, largest = 0;  // of the speed of approach
+};
+
+Rebounds rebounds_over_phases(const NormalLaw& law, double speed, double dt) {
+  constexpr int kPhases = 50;
+  Rebounds result;
+  for (int i = 0; i < kPhases; ++i) {
+    const double rebound = stepped_rebound(law, speed, dt, (i + 0.5) / kPhases) / speed;
+    result.smallest = std::min(result.smallest, rebound);
+    result.largest = std::max(result.largest, rebound);
+    result.mean += rebound / kPhases;
+  }
+  return result;
 }
 
-// The contact of a piece of cord lasts 0.15 ms. Steps of that size cannot resolve the rebound: the implicit step takes
-// energy, so the impulse lies between that of a contact without rebound, 1/(1 + c_r) of the continuous law's, and the
-// whole; and it hardly depends on the step.
-TEST(SemiImplicit, ImpulseOfALightBodyOnAHeavyOneHardlyDependsOnTheStep) {
-  for (double restitution : {0.2, 0.5}) {
-    double smallest = 2, largest = 0;
-    for (double dt : {2e-4, 1e-4, 5e-5, 2e-5}) {
-      const double impulse = mean_relative_impulse(restitution, dt);
-      std::printf("c_r %.1f, dt %.0e s: impulse %.3f of the continuous law's\n", restitution, dt, impulse);
-      smallest = std::min(smallest, impulse);
-      largest = std::max(largest, impulse);
+NormalLaw resolved_law(double restitution, double dt) {
+  return make_normal_law(stiffness_of_impact(kMass, 1, 8 * dt), restitution, kMass);
+}
+
+// The point of the softened contact: the law's own rebound, whatever the step.
+TEST(SteppedForce, ReboundIsThatOfTheLawAtAnyStep) {
+  for (const double restitution : {0.2, 0.5, 0.8, 1.0}) {
+    const NormalLaw continuous = make_normal_law(kStiffness, restitution, kMass);
+    const auto force = [&](double d, double v) { return repulsive_normal_force(continuous, d, v); };
+    const double exact = collide(force, kMass, 1, hertz_duration(kStiffness, kMass, 1) / 20000).rebound_speed;
+    for (const double dt : {1e-5, 1e-4, 1e-3}) {
+      for (const double speed : {0.01, 0.1, 1.0, 10.0}) {
+        const Rebounds rebounds = rebounds_over_phases(resolved_law(restitution, dt), speed, dt);
+        EXPECT_NEAR(rebounds.mean, exact, 0.01) << "c_r " << restitution << ", dt " << dt << ", " << speed << " m/s";
+        EXPECT_NEAR(rebounds.smallest, exact, 0.04);
+        EXPECT_NEAR(rebounds.largest, exact, 0.08);  // where the damper first acts at full depth of a step
+      }
     }
-    EXPECT_GT(smallest, 1 / (1 + restitution));
-    EXPECT_LT(largest, 1);
-    EXPECT_LT(largest - smallest, 0.1);
   }
 }
 
-TEST(SemiImplicit, TendsToTheExplicitLaw) {
+// What the material's own stiffness does with steps that do not resolve it: the implicit part takes energy, the impulse
+// lies between that of a contact without rebound and the whole. Why a run softens its contacts.
+TEST(SteppedForce, StiffContactLosesItsRebound) {
+  const NormalLaw law = make_normal_law(kStiffness, 0.5, kMass);
+  const Rebounds coarse = rebounds_over_phases(law, 0.3, 2e-4);
+  std::printf("material's stiffness, dt 2e-4 s: rebound %.3f [%.3f, %.3f] for 0.550\n", coarse.mean, coarse.smallest,
+              coarse.largest);
+  EXPECT_LT(coarse.mean, 0.4);
+  EXPECT_NEAR(rebounds_over_phases(law, 0.3, 2e-6).mean, 0.55028, 0.005);
+}
+
+TEST(SteppedForce, TendsToTheExplicitLawForSmallSteps) {
   const NormalLaw law = make_normal_law(kStiffness, 0.5, kMass);
   double previous = 0;
-  for (double dt : {1e-8, 5e-9, 2.5e-9}) {
+  for (const double dt : {1e-7, 5e-8, 2.5e-8}) {
     double error = 0;
-    for (double v : {-1.0, -0.2, 0.05})
-      error = std::max(
-          error,
-          std::abs(semi_implicit_normal_force(law, 1e-5, v, 1 / kMass, dt) / repulsive_normal_force(law, 1e-5, v) - 1));
+    for (const double v : {-1.0, -0.2, 0.05}) {
+      const double exact = repulsive_normal_force(law, 1e-5, v);
+      error = std::max(error, std::abs(stepped_normal_force(law, 1e-5, {v, v}, 1 / kMass, dt) / exact - 1));
+    }
     if (previous > 0) {
-      EXPECT_NEAR(previous / error, 2, 0.02);  // first order
+      EXPECT_NEAR(previous / error, 2, 0.05);  // of one force; a collision is of second order
     }
     previous = error;
   }
-  EXPECT_LT(std::abs(mean_relative_impulse(0.5, 1e-7) - 1), 2e-3);
 }
 
-// After a step, kinetic energy <= before + what the spring has given back. See the header for why.
-TEST(SemiImplicit, NeverAddsEnergy) {
+// Whatever the stiffness, step and speed: nothing leaves faster than it came, but for the first step's depth, which the
+// leapfrog scheme sees as stored energy (3 % of the speed where it is explicit to its limit).
+TEST(SteppedForce, HardlyAddsSpeed) {
   std::mt19937 random(3);
   const auto any = [&](double low, double high) {  // over orders of magnitude
     return std::exp(std::uniform_real_distribution<double>(std::log(low), std::log(high))(random));
   };
-  std::bernoulli_distribution coin(0.5);
-  for (int i = 0; i < 200000; ++i) {
-    const double mass = effective_mass(any(1e-4, 10), any(1, 1e4));
-    const NormalLaw law = make_normal_law(any(1e4, 1e10), std::uniform_real_distribution<double>(0, 1)(random), mass);
-    const double dt = any(1e-7, 1e-1), penetration = any(1e-9, 1e-1), before = (coin(random) ? 1 : -1) * any(1e-4, 100);
-    const double force = semi_implicit_normal_force(law, penetration, before, 1 / mass, dt);
-    const double after = before + force / mass * dt;
-    const double change = force * dt * 0.5 * (before + after);
-    const double released =
-        elastic_energy(law, penetration) - elastic_energy(law, penetration - std::max(after, 0.0) * dt);
-    ASSERT_GE(force, 0);
-    ASSERT_TRUE(std::isfinite(force));
-    const double round_off = 1e-12 * (std::abs(change) + 0.5 * mass * before * before);
-    ASSERT_LE(change, released + round_off) << "dt " << dt << ", penetration " << penetration << ", speed " << before;
+  std::uniform_real_distribution<double> part(0, 1);
+  double largest = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const NormalLaw law = make_normal_law(any(1e2, 1e12), part(random), kMass);
+    const double dt = any(1e-6, 1e-2), speed = any(1e-3, 100);
+    if (hertz_duration(law.stiffness, kMass, speed) > 500 * dt) continue;  // many steps: covered above
+    const double rebound = stepped_rebound(law, speed, dt, part(random));
+    ASSERT_TRUE(std::isfinite(rebound));
+    largest = std::max(largest, rebound / speed);
   }
+  std::printf("largest rebound %.3f of the speed of approach\n", largest);
+  EXPECT_LT(largest, 1.1);
 }
 
 // A cord pressed against the target by a constant load ends at rest, with the spring carrying that load, at any step.
-TEST(SemiImplicit, SettlesUnderLoadAtAnyStep) {
-  const NormalLaw law = make_normal_law(kStiffness, 0.5, kMass);
+TEST(SteppedForce, SettlesUnderLoadAtAnyStep) {
   const double load = 20;
-  for (double dt : {1e-6, 2e-5, 2e-4, 1e-3}) {
+  for (const double dt : {1e-6, 2e-5, 2e-4, 1e-3}) {
+    const NormalLaw law = resolved_law(0.5, dt);
     Impact now{-1e-6, 0};
     double force = 0;
     for (int i = 0; i < 20000; ++i) {
-      now.separation_speed -= load / kMass * dt;  // first, as the header asks
-      force = semi_implicit_normal_force(law, now.penetration, now.separation_speed, 1 / kMass, dt);
-      now.separation_speed += force / kMass * dt;
+      const double pressed = now.separation_speed - load / kMass * dt;
+      force = stepped_normal_force(law, now.penetration, {now.separation_speed, pressed}, 1 / kMass, dt);
+      now.separation_speed = pressed + force / kMass * dt;
       now.penetration -= now.separation_speed * dt;
     }
     EXPECT_NEAR(force, load, 1e-9 * load) << "dt " << dt;

@@ -29,7 +29,8 @@ Slide slide(double angle, double dt, double end, double friction_velocity = kFri
   double half_speed = 0;
   for (int i = 0; i < steps; ++i) {
     if (i == steps / 2) half_speed = result.speed;
-    const double normal = semi_implicit_normal_force(law, penetration, separation, 1 / mass, dt);
+    const double pressed = separation - kGravity * std::cos(angle) * dt;
+    const double normal = stepped_normal_force(law, penetration, {separation, pressed}, 1 / mass, dt);
     const double driven = result.speed + kGravity * std::sin(angle) * dt;  // friction sees the pull of this step
     const double resistance = sliding_resistance(kFriction, friction_velocity, normal, std::abs(driven), 1 / mass, dt);
     const double friction = -resistance * driven;

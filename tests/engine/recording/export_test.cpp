@@ -52,7 +52,7 @@ TEST(Csv, SaysWhyItCannotWrite) {
     write_channels_csv(recording, path);
     FAIL();
   } catch (const RecordingError& error) {
-    EXPECT_EQ(error.what(), "Cannot write \"" + path + "\": No such file or directory.");
+    EXPECT_EQ(error.what(), "cannot write \"" + path + "\": No such file or directory");
   }
 }
 

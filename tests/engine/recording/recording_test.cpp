@@ -179,7 +179,7 @@ TEST(Recorder, RefusesAnExistingFile) {
   const std::string path = folder.file("run.h5");
   write_bytes(path, "precious");
   const auto create = [&] { Recorder(path, synthetic_origin(), synthetic_structure(20), false); };
-  EXPECT_EQ(message_of(create), "Cannot write \"" + path + "\": it exists already.");
+  EXPECT_EQ(message_of(create), "cannot write \"" + path + "\": it exists already");
   EXPECT_EQ(read_bytes(path), "precious");
 }
 
@@ -218,9 +218,9 @@ TEST(Recorder, TwoCannotWriteOneFile) {
   const Structure structure = synthetic_structure(20);
   Recorder first(path, synthetic_origin(), structure, true);
   const auto second = [&] { Recorder(path, synthetic_origin(), structure, true); };
-  EXPECT_EQ(message_of(second), "Cannot write \"" + path + "\": another program is writing it.");
+  EXPECT_EQ(message_of(second), "cannot write \"" + path + "\": another program is writing it");
   first.write(synthetic_frame(structure, 0));
-  EXPECT_EQ(message_of(second), "Cannot write \"" + path + "\": another program is writing it.");
+  EXPECT_EQ(message_of(second), "cannot write \"" + path + "\": another program is writing it");
   first.finish({}, {});
   EXPECT_EQ(message_of(second), "");
 }
@@ -233,7 +233,7 @@ TEST(Recorder, WritesNothingAfterTheEnd) {
   recorder.write(synthetic_frame(structure, 0));
   recorder.finish({}, {});
   EXPECT_EQ(message_of([&] { recorder.write(synthetic_frame(structure, 1)); }),
-            "Cannot write \"" + path + "\": the recording is finished.");
+            "cannot write \"" + path + "\": the recording is finished");
 }
 
 TEST(Recorder, SaysWhyAFileCannotBeCreated) {
@@ -242,8 +242,8 @@ TEST(Recorder, SaysWhyAFileCannotBeCreated) {
     return message_of([&] { Recorder(path, synthetic_origin(), synthetic_structure(20), true); });
   };
   EXPECT_EQ(create(folder.file("missing/run.h5")),
-            "Cannot write \"" + folder.file("missing/run.h5") + "\": No such file or directory.");
-  EXPECT_EQ(create(folder.path().string()), "Cannot write \"" + folder.path().string() + "\": it is a folder.");
+            "cannot write \"" + folder.file("missing/run.h5") + "\": No such file or directory");
+  EXPECT_EQ(create(folder.path().string()), "cannot write \"" + folder.path().string() + "\": it is a folder");
   // Not even root may create files here.
   EXPECT_NE(create("/proc/run.h5"), "");
 }
@@ -268,7 +268,7 @@ TEST(Recorder, RefusesAStructureWithInvalidIndices) {
   Structure structure = synthetic_structure(20);
   structure.elements[3].node[1] = 21;
   EXPECT_EQ(message_of([&] { Recorder(folder.file("run.h5"), synthetic_origin(), structure, false); }),
-            "Cannot record \"" + folder.file("run.h5") + "\": element 3 names a node that does not exist.");
+            "cannot record \"" + folder.file("run.h5") + "\": element 3 names a node that does not exist");
 }
 
 // Recording must cost little beside the integration. Processor time, because test machines are busy.

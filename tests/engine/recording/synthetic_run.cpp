@@ -72,6 +72,13 @@ Snapshot synthetic_frame(const Structure& structure, int index) {
   return s;
 }
 
+Checkpoint synthetic_checkpoint(int index) {
+  Checkpoint checkpoint{.time = static_cast<double>(index)};
+  for (int i = 0; i < 10000; ++i) checkpoint.state.push_back(std::sin(i) + index);
+  if (index % 2 == 1) checkpoint.strategy = "name = \"faster\"\n";
+  return checkpoint;
+}
+
 RunOrigin synthetic_origin() {
   RunOrigin origin;
   origin.scenario_name = "case1";
@@ -89,7 +96,10 @@ RunOrigin synthetic_origin() {
 void write_synthetic_run(const std::string& path, int frames, int elements) {
   const Structure structure = synthetic_structure(elements);
   Recorder recorder(path, synthetic_origin(), structure, true);
-  for (int i = 0; i < frames; ++i) recorder.write(synthetic_frame(structure, i));
+  for (int i = 0; i < frames; ++i) {
+    recorder.write(synthetic_frame(structure, i));
+    if (i % 50 == 0) recorder.write(synthetic_checkpoint(i / 50));
+  }
   RunStatistics statistics;
   statistics.simulated_seconds = 0.02 * (frames - 1);
   statistics.wall_seconds = 1.5;

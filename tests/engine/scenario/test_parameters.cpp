@@ -68,8 +68,8 @@ TEST(ParameterTable, DeclaresEveryMember) {
   const auto count = [](std::string_view group) { return parameters_of(*find_parameter_group(group)).size(); };
   EXPECT_EQ(count(""), 2u);
   {
-    [[maybe_unused]] const auto& [a, b, c, e] = pocket;
-    EXPECT_EQ(count("pocket"), 4u);
+    [[maybe_unused]] const auto& [a, b, c, e, f] = pocket;
+    EXPECT_EQ(count("pocket"), 5u);
   }
   {
     [[maybe_unused]] const auto& [a, b, c, e, f, g, h] = net;

@@ -64,8 +64,8 @@ TEST(ReadScenario, WrongTypesNameWhatIsExpected) {
             "a.toml:1: target.spin: expects a list of three numbers [x, y, z] in rad/s, not a list of 2");
   EXPECT_EQ(
       problems("target.shape = \"shpere\""),
-      "a.toml:1: target.shape: expects one of \"sphere\", \"box\", \"cylinder\", not the text \"shpere\"; did you "
-      "mean \"sphere\"?");
+      "a.toml:1: target.shape: expects one of \"sphere\", \"box\", \"cylinder\", \"satellite\", \"mesh\", not the text "
+      "\"shpere\"; did you mean \"sphere\"?");
   EXPECT_EQ(problems("[net.diameter]\nx = 1"), "a.toml:1: net.diameter: expects a number in m, not a table");
   EXPECT_EQ(problems("net = 3"), "a.toml:1: net: is a table: write [net] and its keys on the lines below");
   EXPECT_EQ(problems("[[net]]"), "a.toml:1: net: is a table: write [net] and its keys on the lines below");

@@ -39,6 +39,17 @@ TEST(ParameterWords, OnlyWhatIsUsed) {
   EXPECT_FALSE(why_unused(parameter("target.size"), scenario));
   scenario.target.shape = TargetShape::cylinder;
   EXPECT_FALSE(why_unused(parameter("target.radius"), scenario));
+  EXPECT_TRUE(why_unused(parameter("target.span"), scenario));
+  EXPECT_TRUE(why_unused(parameter("target.mesh_file"), scenario));
+  scenario.target.shape = TargetShape::satellite;
+  EXPECT_FALSE(why_unused(parameter("target.size"), scenario));
+  EXPECT_FALSE(why_unused(parameter("target.span"), scenario));
+  scenario.target.shape = TargetShape::mesh;
+  EXPECT_TRUE(why_unused(parameter("target.size"), scenario));
+  EXPECT_FALSE(why_unused(parameter("target.mesh_unit"), scenario));
+  EXPECT_FALSE(why_unused(parameter("target.inertia"), scenario));
+  scenario.target.inertia_from = InertiaSource::shape;
+  EXPECT_TRUE(why_unused(parameter("target.inertia"), scenario));
   scenario.closing.law = ClosingLaw::table;
   EXPECT_TRUE(why_unused(parameter("closing.duration"), scenario));
   scenario.towing.mode = TowingMode::none;

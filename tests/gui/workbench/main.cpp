@@ -4,6 +4,7 @@
 
 #include <QApplication>
 #include <QStandardPaths>
+#include <QStyle>
 
 #include "gui/workbench/viewport/presenter.h"
 
@@ -14,5 +15,9 @@ int main(int argc, char** argv) {
   netpocket::prepare_opengl_format();
   QApplication application(argc, argv);
   QApplication::setStyle("Fusion");
+  // What pictures depend on and desktops differ in.
+  QApplication::setFont(QFont("DejaVu Sans", 9));
+  QApplication::setPalette(QApplication::style()->standardPalette());
+  QApplication::setCursorFlashTime(0);
   return RUN_ALL_TESTS();
 }

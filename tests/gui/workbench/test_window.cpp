@@ -1,6 +1,5 @@
 #include <QDir>
 #include <QDropEvent>
-#include <QElapsedTimer>
 #include <QFile>
 #include <QMimeData>
 #include <QTest>
@@ -12,6 +11,7 @@
 #include "gui/workbench/panels/findings_panel.h"
 #include "gui/workbench/panels/plots_panel.h"
 #include "gui/workbench/run_actions.h"
+#include "gui/workbench/run_file_actions.h"
 #include "gui/workbench/timeline/timeline_bar.h"
 #include "gui/workbench/viewport/viewport.h"
 #include "tests/gui/workbench/window_fixture.h"
@@ -80,21 +80,6 @@ TEST_F(WindowTest, EditRedrawsThePocketAndCanBeUndone) {
   EXPECT_EQ(before->elements.size(), window_->viewport().state().structure->elements.size());
 }
 
-TEST_F(WindowTest, PreviewFollowsAnEditQuickly) {
-  window_->document().start_from(Scenario{});
-  ASSERT_TRUE(wait_for_picture());
-  QTest::qWait(200);
-  QElapsedTimer timer;
-  timer.start();
-  ASSERT_FALSE(window_->document().set_value(parameter("target.radius"), 4.0));
-  const auto has_new_target = [&] {
-    const auto& structure = window_->viewport().state().structure;
-    return std::get<Sphere>(structure->bodies[1].shape).radius == 4.0;
-  };
-  ASSERT_TRUE(wait_until(has_new_target));
-  RecordProperty("preview_ms", static_cast<int>(timer.elapsed()));
-}
-
 TEST_F(WindowTest, StrategyEditActsOnTheRun) {
   ASSERT_TRUE(run_to(0.2));
   ASSERT_FALSE(window_->document().set_value(parameter("closing.duration"), 1.5));
@@ -128,11 +113,9 @@ TEST_F(WindowTest, ClosesWhileRunning) {
   window_->document().start_from(Scenario{});
   window_->run_actions().restart();
   ASSERT_TRUE(wait_until([&] { return window_->session().is_running(); }));
-  QElapsedTimer timer;
-  timer.start();
   window_->close();
+  EXPECT_FALSE(window_->isVisible());
   window_.reset();
-  EXPECT_LT(timer.elapsed(), 5000);
 }
 
 TEST_F(WindowTest, BrokenFilesAreRefusedInOneSentence) {
@@ -165,7 +148,7 @@ TEST_F(WindowTest, TakesADroppedScenario) {
 TEST_F(WindowTest, ExportsFramesOfARunThatIsStillThere) {
   ASSERT_TRUE(run_to(0.2));
   const QString frames = file("frames");
-  window_->export_run(
+  window_->run_files().export_run(
       [&](const QString& recording) {
         return QStringList{"render", recording, "-o", frames, "--fps", "10", "--size", "160x120"};
       },
@@ -178,7 +161,7 @@ TEST_F(WindowTest, ExportsFramesOfARunThatIsStillThere) {
 
 TEST_F(WindowTest, FailedExportSaysWhy) {
   ASSERT_TRUE(run_to(0.1));
-  window_->export_run(
+  window_->run_files().export_run(
       [&](const QString& recording) {
         return QStringList{"render", recording, "-o", "/proc/no"};
       },

@@ -1,8 +1,11 @@
 #include "tests/gui/workbench/window_fixture.h"
 
+#include <QAbstractButton>
+#include <QApplication>
 #include <QElapsedTimer>
 #include <QFile>
 #include <QTest>
+#include <QTimer>
 
 #include "gui/workbench/viewport/viewport.h"
 
@@ -24,6 +27,19 @@ WindowTest::WindowTest() {
   options_.settings_file = file("settings.ini");
   options_.recovery_folder = file("recovery");
   options_.program = NETPOCKET_PROGRAM;
+  // As the tests' environment says: images, or OpenGL under an X server.
+  const bool opengl = qEnvironmentVariable("NETPOCKET_TEST_PRESENTER") == "opengl";
+  options_.presenter = opengl ? PresenterKind::opengl : PresenterKind::image;
+  QSettings settings(options_.settings_file, QSettings::IniFormat);
+  write_preferences({.ask_about_runs = false}, settings);
+  settings.sync();
+  reopen();
+}
+
+WindowTest::~WindowTest() = default;
+
+void WindowTest::reopen() {
+  window_.reset();
   window_ = std::make_unique<MainWindow>(options_);
   window_->document().start_from(quick_scenario());
   window_->show();
@@ -31,7 +47,16 @@ WindowTest::WindowTest() {
   (void)QTest::qWaitForWindowActive(window_.get());
 }
 
-WindowTest::~WindowTest() = default;
+void WindowTest::answer_question(QMessageBox::StandardButton button) {
+  auto* timer = new QTimer(qApp);
+  QObject::connect(timer, &QTimer::timeout, timer, [timer, button] {
+    auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    if (box == nullptr) return;
+    timer->deleteLater();
+    box->button(button)->click();
+  });
+  timer->start(10);
+}
 
 bool WindowTest::wait_until(const std::function<bool()>& condition, double seconds) {
   QElapsedTimer timer;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QMessageBox>
 #include <QTemporaryDir>
 #include <functional>
 #include <memory>
@@ -25,6 +26,10 @@ class WindowTest : public testing::Test {
   bool run_to(double time);
   // Until the viewport shows a picture of the state that it was given last.
   bool wait_for_picture();
+  // Presses a button of the next question that comes up.
+  static void answer_question(QMessageBox::StandardButton button);
+  // Makes the window anew, with the same settings and files.
+  void reopen();
   // With NETPOCKET_SCREENSHOTS=FOLDER set: a picture of the window for people.
   void screenshot(const QString& name);
 

@@ -1,0 +1,92 @@
+#pragma once
+// A closed surface of triangles, the shape of a body: checked, with its centre of mass at the origin, and ready for
+// questions of distance. Immutable: any thread may use it. Lengths in m, body axes.
+//
+// Mass integrals are the volume integrals of the uniformly filled solid, turned into sums over the triangles by the
+// divergence theorem: Mirtich (1996), Fast and accurate computation of polyhedral mass properties, J. Graphics Tools
+// 1(2), doi:10.1080/10867651.1996.10487458; for triangles in closed form: Eberly (2002), Polyhedral Mass Properties
+// (Revisited), Geometric Tools.
+//
+// The sign of a distance is that of the angle-weighted pseudo-normal at the nearest point, which is right at faces,
+// edges and corners alike: Baerentzen & Aanaes (2005), IEEE Trans. Vis. Comput. Graph. 11(3), doi:10.1109/TVCG.2005.49.
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "engine/bodies/surface_point.h"
+#include "engine/bodies/triangle_tree.h"
+
+namespace netpocket {
+
+using Triangle = std::array<std::int32_t, 3>;  // corners, counter-clockwise seen from outside
+
+// Triangles as they come: nothing is known of them.
+struct MeshData {
+  std::vector<Eigen::Vector3d> vertices;
+  std::vector<Triangle> triangles;
+};
+
+// Larger meshes are refused.
+inline constexpr std::size_t kLargestTriangleCount = 2'000'000;
+inline constexpr double kSmallestMeshExtent = 1e-2;  // m, of the largest edge of the box round it
+inline constexpr double kLargestMeshExtent = 1e3;    // m
+
+// Joins vertices that are equal to the last bit and leaves out triangles that this shrinks to a line or a point. Files
+// such as STL give every triangle its own corners.
+MeshData welded(const MeshData& data);
+
+class TriangleMesh {
+ public:
+  // Closed surfaces, one or several that do not intersect (which is not checked); a surface within another bounds a
+  // hollow. The mesh, or the rest of a sentence that begins with its name ("is not watertight: ...").
+  static std::variant<std::shared_ptr<const TriangleMesh>, std::string> make(MeshData data);
+
+  const std::vector<Eigen::Vector3d>& vertices() const { return data_.vertices; }
+  const std::vector<Triangle>& triangles() const { return data_.triangles; }
+  const Eigen::Vector3d& face_normal(std::size_t triangle) const { return face_normals_[triangle]; }
+  const Eigen::Vector3d& vertex_normal(std::size_t vertex) const { return vertex_normals_[vertex]; }
+
+  double volume() const { return volume_; }                              // m^3
+  const Eigen::Vector3d& centre_in_file() const { return centre_; }      // m, of mass, before it became the origin
+  const Eigen::Matrix3d& unit_inertia() const { return unit_inertia_; }  // m^2, about the origin, per mass
+  const Eigen::AlignedBox3d& bounds() const { return bounds_; }
+  double bounding_radius() const { return bounding_radius_; }  // m, about the origin
+  double typical_edge() const { return typical_edge_; }        // m, of an equilateral triangle of mean area
+
+  // Nearest point of the surface. The first of equally near triangles decides.
+  SurfacePoint nearest(const Eigen::Vector3d& point) const;
+  // Whether the signed distance is at most `reach` (m, >= 0), or the point not finite. Far cheaper than the distance.
+  bool is_nearer(const Eigen::Vector3d& point, double reach) const;
+
+  // As nearest(), among some triangles (places in the tree).
+  SurfacePoint nearest_among(const Eigen::Vector3d& point, std::span<const std::int32_t> places) const;
+  const TriangleTree& tree() const { return tree_; }
+
+ private:
+  explicit TriangleMesh(MeshData data);
+  void integrate();
+  void find_normals();
+  SurfacePoint surface_point(const Eigen::Vector3d& point, const TriangleHit& hit) const;
+  Eigen::Vector3d pseudo_normal(const TriangleHit& hit) const;
+
+  MeshData data_;
+  double volume_ = 0;
+  Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d unit_inertia_ = Eigen::Matrix3d::Zero();
+  Eigen::AlignedBox3d bounds_;
+  double bounding_radius_ = 0;
+  double typical_edge_ = 0;
+  std::vector<Eigen::Vector3d> face_normals_;                 // by triangle
+  std::vector<std::array<Eigen::Vector3d, 3>> edge_normals_;  // by triangle: of the edges 0-1, 1-2, 2-0
+  std::vector<Eigen::Vector3d> vertex_normals_;               // by vertex
+  TriangleTree tree_;
+};
+
+}  // namespace netpocket

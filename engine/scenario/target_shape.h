@@ -1,0 +1,21 @@
+#pragma once
+// The target's shape as its scenario describes it.
+
+#include <Eigen/Core>
+#include <variant>
+
+#include "engine/bodies/shape.h"
+#include "engine/scenario/diagnostics.h"
+#include "engine/scenario/scenario.h"
+
+namespace netpocket {
+
+// The shape, or what is wrong with it in one sentence. A mesh is read from its file, which must lie in the folder of
+// the scenario or below, wherever links lead, unless scenario.files allows an absolute path. The latest mesh is kept,
+// so that asking again costs a look at the file's date. Any thread may call it.
+std::variant<Shape, Diagnostic> target_shape(const Scenario& scenario);
+
+// kg m^2, about the centre of mass, body axes: as given, or that of the evenly filled shape.
+Eigen::Matrix3d target_inertia(const TargetParameters& target, const Shape& shape);
+
+}  // namespace netpocket

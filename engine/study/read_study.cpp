@@ -1,0 +1,320 @@
+#include "engine/study/read_study.h"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <sstream>
+
+#include "engine/scenario/parameter_text.h"
+#include "engine/scenario/parameters.h"
+#include "engine/scenario/read_scenario.h"
+#include "engine/scenario/toml_depth.h"
+
+namespace netpocket {
+namespace {
+
+constexpr int kDeepestKey = 8;  // dots
+
+int line_of(const toml::node& node) { return static_cast<int>(node.source().begin.line); }
+
+// A value as apply_setting() takes it: numbers with the fewest digits that read back, texts with their quotes.
+std::string value_text(const toml::node& node) {
+  if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
+  if (const auto* array = node.as_array()) {
+    std::string text = "[";
+    for (const toml::node& element : *array) text += (text.size() > 1 ? ", " : "") + value_text(element);
+    return text + "]";
+  }
+  std::ostringstream text;
+  node.visit([&text](const auto& value) { text << value; });
+  return text.str();
+}
+
+struct Entry {
+  std::string key;
+  const toml::node* node;
+};
+
+// The entries of a table by their order in the file.
+std::vector<Entry> entries(const toml::table& table) {
+  std::vector<Entry> found;
+  for (const auto& [key, node] : table) found.push_back({std::string(key.str()), &node});
+  const auto place = [](const Entry& e) {
+    return std::pair(e.node->source().begin.line, e.node->source().begin.column);
+  };
+  std::stable_sort(found.begin(), found.end(), [&](const auto& a, const auto& b) { return place(a) < place(b); });
+  return found;
+}
+
+class StudyReader {
+ public:
+  explicit StudyReader(std::string path) : path_(std::move(path)) {}
+
+  StudyResult read(const toml::table& file) {
+    study_.name = std::filesystem::path(path_).stem().string();
+    check_names(file, {"name", "description", "base", "sampling", "samples", "seed", "keep_recordings", "set", "vary",
+                       "point", "variant", "remarks"});
+    read_text(file, "name", study_.name);
+    read_text(file, "description", study_.description);
+    read_base(file);
+    if (!found_.ok()) return result();
+    read_sampling(file);
+    if (const toml::table* set = table(file, "set")) study_.settings = read_settings(*set, study_.base);
+    // What follows is checked with the settings of all points in place.
+    Scenario scenario = study_.base;
+    apply_settings(scenario, study_.settings);
+    study_.places = read_named(file, "point", scenario);
+    study_.variants = read_named(file, "variant", scenario);
+    if (const toml::table* vary = table(file, "vary")) read_axes(*vary, "", scenario);
+    read_remarks(file);
+    if (found_.ok()) check_size();
+    return result();
+  }
+
+ private:
+  StudyResult result() { return {std::move(study_), std::move(found_)}; }
+
+  void report(int line, const std::string& key, const std::string& message) {
+    found_.add({.file = path_, .line = line, .key = key, .message = message});
+  }
+  void report(const toml::node& node, const std::string& key, const std::string& message) {
+    report(line_of(node), key, message);
+  }
+
+  void check_names(const toml::table& table, const std::vector<std::string_view>& known) {
+    for (const auto& [key, node] : entries(table)) {
+      if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+      report(*node, key, fmt::format("is not a key of a study; these are: {}", fmt::join(known, ", ")));
+    }
+  }
+
+  void read_text(const toml::table& table, std::string_view key, std::string& text) {
+    const toml::node* node = table.get(key);
+    if (!node) return;
+    const auto value = node->value_exact<std::string>();
+    if (!value) return report(*node, std::string(key), "expects a text in quotes");
+    text = *value;
+  }
+
+  const toml::table* table(const toml::table& file, const std::string& key) {
+    const toml::node* node = file.get(key);
+    if (node && !node->is_table()) report(*node, key, fmt::format("is a table: write [{}]", key));
+    return node ? node->as_table() : nullptr;
+  }
+
+  void read_base(const toml::table& file) {
+    std::string base;
+    read_text(file, "base", base);
+    if (base.empty()) return report(1, "base", "names the scenario that the study starts from, e.g. \"../case1.toml\"");
+    ScenarioResult scenario = read_scenario_file((std::filesystem::path(path_).parent_path() / base).string());
+    for (const Diagnostic& diagnostic : scenario.diagnostics.list()) found_.add(diagnostic);
+    study_.base = std::move(scenario.scenario);
+  }
+
+  void read_sampling(const toml::table& file) {
+    std::string sampling = "grid";
+    read_text(file, "sampling", sampling);
+    if (sampling != "grid" && sampling != "halton") {
+      report(*file.get("sampling"), "sampling", "expects \"grid\" or \"halton\", not " + netpocket::quoted(sampling));
+    }
+    study_.sampling = sampling == "halton" ? Sampling::halton : Sampling::grid;
+    const auto samples = read_whole(file, "samples", 1, static_cast<std::int64_t>(kMostStudyPoints));
+    if (study_.sampling == Sampling::halton && !samples) {
+      report(1, "samples", "says how many points sampling = \"halton\" takes");
+    }
+    study_.samples = static_cast<int>(samples.value_or(0));
+    study_.seed = read_whole(file, "seed", 0, INT32_MAX).value_or(1);
+    if (const toml::node* keep = file.get("keep_recordings")) {
+      if (!keep->is_boolean()) report(*keep, "keep_recordings", "expects true or false");
+      study_.keep_recordings = keep->value_or(false);
+    }
+  }
+
+  std::optional<std::int64_t> read_whole(const toml::table& table, const std::string& key, std::int64_t lowest,
+                                         std::int64_t highest) {
+    const toml::node* node = table.get(key);
+    if (!node) return std::nullopt;
+    const auto value = node->value_exact<std::int64_t>();
+    if (value && *value >= lowest && *value <= highest) return value;
+    report(*node, key, fmt::format("expects a whole number from {} to {}", lowest, highest));
+    return std::nullopt;
+  }
+
+  // Settings of a table, in tables by group or with the dotted key in quotes. Each is tried on `scenario` by itself.
+  std::vector<Setting> read_settings(const toml::table& table, const Scenario& scenario,
+                                     const std::string& prefix = "") {
+    std::vector<Setting> settings;
+    for (const auto& [name, node] : entries(table)) {
+      if (prefix.empty() && name == "name") continue;  // of the point or variant, not of the scenario
+      const std::string key = prefix.empty() ? name : prefix + "." + name;
+      if (const toml::table* group = node->as_table()) {
+        for (Setting& setting : read_settings(*group, scenario, key)) settings.push_back(std::move(setting));
+        continue;
+      }
+      Setting setting{key, value_text(*node)};
+      try_setting(*node, scenario, setting);
+      settings.push_back(std::move(setting));
+    }
+    return settings;
+  }
+
+  void try_setting(const toml::node& node, Scenario scenario, const Setting& setting) {
+    const Diagnostics problems = apply_setting(scenario, setting);
+    for (Diagnostic problem : problems.list()) {
+      problem.file = path_;
+      problem.line = line_of(node);
+      found_.add(std::move(problem));
+    }
+  }
+
+  // [[point]] and [[variant]]: each with a name and settings. Without any: one without either.
+  std::vector<NamedSettings> read_named(const toml::table& file, const std::string& key, const Scenario& scenario) {
+    const toml::node* node = file.get(key);
+    if (!node) return {{}};
+    if (!node->is_array_of_tables()) {
+      report(*node, key, fmt::format("is a list of tables: write [[{}]] before each", key));
+      return {{}};
+    }
+    std::vector<NamedSettings> list;
+    for (const toml::node& element : *node->as_array()) {
+      const toml::table& entry = *element.as_table();
+      NamedSettings named;
+      read_text(entry, "name", named.name);
+      const auto same = [&](const NamedSettings& other) { return other.name == named.name; };
+      if (named.name.empty() || named.name.find('/') != named.name.npos) {
+        report(element, key + ".name", "expects a name, without '/'");
+      } else if (std::any_of(list.begin(), list.end(), same)) {
+        report(element, key + ".name", netpocket::quoted(named.name) + " is the name of another one");
+      }
+      named.settings = read_settings(entry, scenario);
+      list.push_back(std::move(named));
+    }
+    return list;
+  }
+
+  // Axes of a table and of the tables in it. A table with "from" and "to" is a range.
+  void read_axes(const toml::table& table, const std::string& prefix, const Scenario& scenario) {
+    for (const auto& [name, node] : entries(table)) {
+      const std::string key = prefix.empty() ? name : prefix + "." + name;
+      if (const toml::array* list = node->as_array()) {
+        read_list(key, *list, scenario);
+      } else if (const toml::table* inner = node->as_table()) {
+        inner->contains("from") || inner->contains("to") ? read_range(key, *inner, scenario)
+                                                         : read_axes(*inner, key, scenario);
+      } else {
+        report(*node, key, "expects a list of values or { from = ..., to = ..., steps = ... }");
+      }
+    }
+  }
+
+  void read_list(const std::string& key, const toml::array& list, const Scenario& scenario) {
+    if (list.empty()) return report(list, key, "has no values");
+    Axis axis{.key = key};
+    for (const toml::node& value : list) {
+      axis.values.push_back(value_text(value));
+      try_setting(value, scenario, {key, axis.values.back()});
+    }
+    study_.axes.push_back(std::move(axis));
+  }
+
+  void read_range(const std::string& key, const toml::table& range, const Scenario& scenario) {
+    check_names(range, {"from", "to", "steps", "scale"});
+    Axis axis{.key = key};
+    const Parameter* parameter = find_parameter(key);
+    axis.whole = parameter && parameter->type == ParameterType::integer;
+    const auto number = [&](const char* end, double& value) {
+      const toml::node* node = range.get(end);
+      if (!node || !node->is_number()) return report(range, key, fmt::format("needs the number '{}'", end));
+      value = *node->value<double>();
+      try_setting(*node, scenario, {key, value_text(*node)});
+    };
+    number("from", axis.from);
+    number("to", axis.to);
+    if (!(axis.from < axis.to)) report(range, key, "'from' must be below 'to'");
+    std::string scale = "linear";
+    read_text(range, "scale", scale);
+    axis.logarithmic = scale == "log";
+    if (scale != "linear" && scale != "log") report(range, key, "'scale' is \"linear\" or \"log\"");
+    if (axis.logarithmic && !(axis.from > 0)) report(range, key, "a scale \"log\" needs 'from' above 0");
+    const auto steps = read_whole(range, "steps", 2, static_cast<std::int64_t>(kMostStudyPoints));
+    if (study_.sampling == Sampling::grid && !steps && !range.contains("steps")) {
+      report(range, key, "a grid needs 'steps', how many values to take");
+    }
+    axis.steps = static_cast<int>(steps.value_or(2));
+    study_.axes.push_back(std::move(axis));
+  }
+
+  void read_remarks(const toml::table& file) {
+    const toml::table* remarks = table(file, "remarks");
+    if (!remarks) return;
+    for (const auto& [key, node] : entries(*remarks)) {
+      const auto text = node->value_exact<std::string>();
+      if (!text) report(*node, "remarks." + key, "expects a text in quotes");
+      study_.remarks[key] = text.value_or("");
+    }
+  }
+
+  void check_size() {
+    if (study_.sampling == Sampling::halton && study_.axes.size() > kMostSampledAxes) {
+      report(1, "vary",
+             fmt::format("{} axes are more than sampling = \"halton\" spreads evenly ({})", study_.axes.size(),
+                         kMostSampledAxes));
+    }
+    double points = study_.sampling == Sampling::halton ? study_.samples : 1;
+    if (study_.sampling == Sampling::grid) {
+      for (const Axis& axis : study_.axes) {
+        points *= axis.values.empty() ? axis.steps : static_cast<double>(axis.values.size());
+      }
+    }
+    points *= static_cast<double>(study_.places.size());
+    if (points > static_cast<double>(kMostStudyPoints)) {
+      report(1, "vary", fmt::format("{:.3g} points are more than {}", points, kMostStudyPoints));
+    }
+  }
+
+  std::string path_;
+  Study study_;
+  Diagnostics found_;
+};
+
+StudyResult failure(Diagnostic diagnostic) {
+  StudyResult result;
+  result.diagnostics.add(std::move(diagnostic));
+  return result;
+}
+
+}  // namespace
+
+StudyResult read_study_file(const std::string& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) return failure({.file = path, .message = "is a folder"});
+  std::ifstream file(path, std::ios::binary);
+  if (!file) {
+    return failure({.file = path, .message = fmt::format("cannot be read: {}", std::strerror(errno))});
+  }
+  std::string text(kLargestStudyFile + 1, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  if (text.size() > kLargestStudyFile) {
+    return failure({.file = path, .message = fmt::format("is larger than {} bytes", kLargestStudyFile)});
+  }
+  if (const int line = line_of_too_deep_key(text, kDeepestKey)) {
+    return failure({.file = path, .line = line, .message = fmt::format("a key with more than {} dots", kDeepestKey)});
+  }
+  try {
+    return StudyReader(path).read(toml::parse(text));
+  } catch (const toml::parse_error& error) {
+    return failure({.file = path,
+                    .line = static_cast<int>(error.source().begin.line),
+                    .message = std::string(error.description())});
+  }
+}
+
+}  // namespace netpocket

@@ -1,0 +1,26 @@
+#pragma once
+// Reads studies from TOML (scenarios/studies/README.md describes the file). Errors are values, with file, line and key;
+// nothing is thrown. Any thread may call these functions.
+
+#include <string>
+
+#include "engine/study/study.h"
+
+namespace netpocket {
+
+inline constexpr std::size_t kMostSampledAxes = 12;  // Halton sequences of larger primes are uneven
+inline constexpr std::size_t kMostStudyPoints = 100000;
+inline constexpr std::size_t kLargestStudyFile = 1'000'000;  // bytes
+
+struct StudyResult {
+  Study study{};              // complete only if ok()
+  Diagnostics diagnostics{};  // by line
+
+  bool ok() const { return diagnostics.ok(); }
+};
+
+// The base scenario's path is relative to the study's file. What is checked: every key and every value, alone; whether
+// a point makes sense as a whole shows when it is run.
+StudyResult read_study_file(const std::string& path);
+
+}  // namespace netpocket

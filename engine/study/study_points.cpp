@@ -1,0 +1,119 @@
+// Points of a study. Halton sequences are shifted by a random vector modulo 1 (Cranley & Patterson, SIAM J. Numer.
+// Anal. 13 (1976) 904), so that seeds give different samples of the same evenness.
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <random>
+
+#include "engine/scenario/check_scenario.h"
+#include "engine/study/read_study.h"
+#include "engine/study/study.h"
+
+namespace netpocket {
+namespace {
+
+constexpr std::array<std::int64_t, kMostSampledAxes> kPrimes = {2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37};
+
+// The digits of `index` in base `base`, mirrored at the point: in [0, 1).
+double radical_inverse(std::int64_t index, std::int64_t base) {
+  double value = 0;
+  double digit_weight = 1;
+  for (; index > 0; index /= base) {
+    digit_weight /= static_cast<double>(base);
+    value += digit_weight * static_cast<double>(index % base);
+  }
+  return value;
+}
+
+// A number of a range, at a fraction of the way.
+double between(const Axis& axis, double fraction) {
+  if (axis.logarithmic) return axis.from * std::pow(axis.to / axis.from, fraction);
+  return axis.from + fraction * (axis.to - axis.from);
+}
+
+std::string number_text(const Axis& axis, double value) {
+  if (axis.whole) return fmt::format("{}", std::llround(value));
+  // Twelve digits: enough for any parameter, few enough to hide the round-off of the steps.
+  return fmt::format("{:.12g}", value);
+}
+
+std::string grid_value(const Axis& axis, std::size_t index) {
+  if (!axis.values.empty()) return axis.values[index];
+  return number_text(axis, between(axis, static_cast<double>(index) / (axis.steps - 1)));
+}
+
+std::size_t grid_size(const Axis& axis) {
+  return axis.values.empty() ? static_cast<std::size_t>(axis.steps) : axis.values.size();
+}
+
+// `fraction` in [0, 1).
+std::string sampled_value(const Axis& axis, double fraction) {
+  if (!axis.values.empty()) {
+    return axis.values[static_cast<std::size_t>(fraction * static_cast<double>(axis.values.size()))];
+  }
+  if (!axis.whole) return number_text(axis, between(axis, fraction));
+  // Every whole number, the ends included, has the same share.
+  return fmt::format("{}", static_cast<std::int64_t>(std::floor(axis.from + fraction * (axis.to - axis.from + 1))));
+}
+
+// The settings of one combination; the last axis changes fastest.
+std::vector<Setting> grid_settings(const std::vector<Axis>& axes, std::size_t combination) {
+  std::vector<Setting> settings(axes.size());
+  for (std::size_t i = axes.size(); i-- > 0;) {
+    settings[i] = {axes[i].key, grid_value(axes[i], combination % grid_size(axes[i]))};
+    combination /= grid_size(axes[i]);
+  }
+  return settings;
+}
+
+std::vector<std::vector<Setting>> grid(const Study& study) {
+  std::size_t count = 1;
+  for (const Axis& axis : study.axes) count *= grid_size(axis);
+  std::vector<std::vector<Setting>> points(count);
+  for (std::size_t i = 0; i < count; ++i) points[i] = grid_settings(study.axes, i);
+  return points;
+}
+
+std::vector<std::vector<Setting>> halton(const Study& study) {
+  std::mt19937_64 random(static_cast<std::uint64_t>(study.seed));
+  std::vector<double> shift(study.axes.size());
+  // The generator's upper 53 bits: the same on every platform, which a standard distribution is not.
+  for (double& s : shift) s = std::ldexp(static_cast<double>(random() >> 11), -53);
+  std::vector<std::vector<Setting>> points(static_cast<std::size_t>(study.samples));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t a = 0; a < study.axes.size(); ++a) {
+      const double sum = radical_inverse(static_cast<std::int64_t>(i), kPrimes[a]) + shift[a];
+      points[i].push_back({study.axes[a].key, sampled_value(study.axes[a], sum - std::floor(sum))});
+    }
+  }
+  return points;
+}
+
+}  // namespace
+
+std::vector<StudyPoint> study_points(const Study& study) {
+  const auto combinations = study.sampling == Sampling::grid ? grid(study) : halton(study);
+  std::vector<StudyPoint> points;
+  for (const NamedSettings& place : study.places) {
+    for (const auto& combination : combinations) {
+      StudyPoint point{place.name, study.settings};
+      point.settings.insert(point.settings.end(), place.settings.begin(), place.settings.end());
+      point.settings.insert(point.settings.end(), combination.begin(), combination.end());
+      points.push_back(std::move(point));
+    }
+  }
+  return points;
+}
+
+StudyScenario study_scenario(const Study& study, const StudyPoint& point, const NamedSettings& variant) {
+  StudyScenario result{study.base, {}};
+  result.diagnostics = apply_settings(result.scenario, point.settings);
+  if (result.diagnostics.ok()) result.diagnostics = apply_settings(result.scenario, variant.settings);
+  if (!variant.name.empty()) result.scenario.name = variant.name;
+  if (result.diagnostics.ok()) result.diagnostics = check_scenario(result.scenario);
+  return result;
+}
+
+}  // namespace netpocket

@@ -1,0 +1,200 @@
+#include "engine/study/study_record.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include "engine/recording/report.h"
+#include "engine/scenario/write_scenario.h"
+
+namespace netpocket {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// FNV-1a, 64 bit.
+std::uint64_t hash(std::string_view text) {
+  std::uint64_t value = 0xcbf29ce484222325u;
+  for (const unsigned char c : text) value = (value ^ c) * 0x100000001b3u;
+  return value;
+}
+
+StudyRecord head(std::size_t index, const StudyPoint& point, const std::string& identity) {
+  Json settings = Json::object();
+  for (const Setting& setting : point.settings) settings[setting.key] = setting.value;
+  return {{"point", index + 1}, {"place", point.place}, {"settings", settings}, {"identity", identity}};
+}
+
+// As RFC 4180 has it.
+std::string csv_cell(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == text.npos) return text;
+  std::string cell(1, '"');
+  for (const char c : text) cell.append(c == '"' ? 2 : 1, c);
+  cell += '"';
+  return cell;
+}
+
+std::string csv_cell(const Json& value) {
+  if (value.is_null()) return "";
+  if (value.is_string()) return csv_cell(value.get<std::string>());
+  if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
+  return value.dump();
+}
+
+std::string csv_line(const std::vector<std::string>& cells) { return fmt::format("{}\n", fmt::join(cells, ",")); }
+
+// Settings that not all points share.
+std::vector<std::string> varied_keys(const std::vector<StudyRecord>& records) {
+  std::vector<std::string> keys;
+  for (const StudyRecord& record : records) {
+    for (const auto& [key, value] : record["settings"].items()) {
+      const auto differs = [&, k = key, v = value](const StudyRecord& other) {
+        return !other["settings"].contains(k) || other["settings"][k] != v;
+      };
+      if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
+      if (std::any_of(records.begin(), records.end(), differs)) keys.push_back(key);
+    }
+  }
+  return keys;
+}
+
+struct Column {
+  const char* name;
+  const char* pointer;  // into the summary
+};
+
+constexpr Column kColumns[] = {
+    {"ended", "/reason"},
+    {"captured", "/captured"},
+    {"first_contact_s", "/first_contact_time"},
+    {"peak_fx_N", "/peak_force/x"},
+    {"peak_fy_N", "/peak_force/y"},
+    {"peak_fz_N", "/peak_force/z"},
+    {"peak_fy_time_s", "/peak_force/time_y"},
+    {"impulse_x_Ns", "/impulse/x"},
+    {"impulse_y_Ns", "/impulse/y"},
+    {"impulse_z_Ns", "/impulse/z"},
+    {"energy_error", "/energy_error"},
+    {"averaging_window_s", "/averaging_window"},
+    {"time_step_s", "/time_step"},
+    {"cpu_s", "/cpu_seconds"},
+};
+
+std::vector<std::string> finding_ids(const std::vector<StudyRecord>& records) {
+  std::vector<std::string> ids;
+  for (const StudyRecord& record : records) {
+    if (!ids.empty()) break;
+    for (const Json& finding : record["findings"]) ids.push_back(finding["id"].get<std::string>());
+  }
+  return ids;
+}
+
+std::vector<std::string> first_cells(const StudyRecord& record, const std::vector<std::string>& keys) {
+  std::vector<std::string> cells = {record["point"].dump(), csv_cell(record["place"])};
+  for (const std::string& key : keys) {
+    cells.push_back(record["settings"].contains(key) ? csv_cell(record["settings"][key]) : "");
+  }
+  return cells;
+}
+
+}  // namespace
+
+std::string point_identity(const std::vector<Scenario>& scenarios, const std::string& program) {
+  std::string all = program;
+  for (const Scenario& scenario : scenarios) all.append(1, '\n').append(write_scenario_text(scenario));
+  return fmt::format("{:016x}", hash(all));
+}
+
+StudyRecord refused_record(std::size_t index, const StudyPoint& point, const std::string& identity,
+                           const std::string& reason) {
+  StudyRecord record = head(index, point, identity);
+  record["refused"] = reason;
+  record["runs"] = Json::array();
+  record["findings"] = Json::array();
+  return record;
+}
+
+StudyRecord run_record(std::size_t index, const StudyPoint& point, const std::string& identity,
+                       const std::vector<NamedSettings>& variants, const std::vector<Recording>& recordings) {
+  StudyRecord record = head(index, point, identity);
+  record["refused"] = "";
+  record["runs"] = Json::array();
+  std::vector<const Recording*> runs;
+  for (std::size_t i = 0; i < recordings.size(); ++i) {
+    Json run = {{"variant", variants[i].name}};
+    run.update(summary_json(recordings[i]));
+    record["runs"].push_back(std::move(run));
+    runs.push_back(&recordings[i]);
+  }
+  record["findings"] = findings_json(evaluate_findings(runs))["findings"];
+  return record;
+}
+
+std::string record_path(const std::string& folder, std::size_t index) {
+  return fmt::format("{}/points/{:04}.json", folder, index + 1);
+}
+
+std::optional<StudyRecord> load_record(const std::string& path, const std::string& identity) {
+  std::ifstream file(path);
+  if (!file) return std::nullopt;
+  StudyRecord record = StudyRecord::parse(file, nullptr, false);
+  const bool usable = record.is_object() && record.value("identity", "") == identity;
+  return usable ? std::optional(std::move(record)) : std::nullopt;
+}
+
+void write_text_file(const std::string& path, const std::string& text) {
+  const std::string part = path + ".part";
+  errno = 0;
+  std::ofstream out(part, std::ios::binary | std::ios::trunc);
+  out << text;
+  out.close();
+  std::error_code error;
+  if (out) std::filesystem::rename(part, path, error);
+  if (out && !error) return;
+  const std::string reason = error ? error.message() : std::strerror(errno);
+  std::filesystem::remove(part, error);
+  throw RecordingError(fmt::format("Cannot write \"{}\": {}.", path, reason));
+}
+
+std::string study_csv(const std::vector<StudyRecord>& records) {
+  const auto keys = varied_keys(records);
+  const auto ids = finding_ids(records);
+  std::vector<std::string> header = {"point", "place"};
+  for (const std::string& key : keys) header.push_back(csv_cell(key));
+  header.insert(header.end(), {"variant", "refused"});
+  for (const Column& column : kColumns) header.emplace_back(column.name);
+  for (const std::string& id : ids) header.insert(header.end(), {id, id + "_found"});
+  std::string text = csv_line(header);
+  for (const StudyRecord& record : records) {
+    if (record["runs"].empty()) {
+      auto cells = first_cells(record, keys);
+      cells.insert(cells.end(), {"", csv_cell(record["refused"])});
+      cells.resize(header.size());
+      text += csv_line(cells);
+    }
+    for (std::size_t i = 0; i < record["runs"].size(); ++i) {
+      const Json& run = record["runs"][i];
+      auto cells = first_cells(record, keys);
+      cells.insert(cells.end(), {csv_cell(run["variant"]), ""});
+      for (const Column& column : kColumns) cells.push_back(csv_cell(run.at(Json::json_pointer(column.pointer))));
+      for (const Json& finding : record["findings"]) {
+        cells.push_back(csv_cell(finding["cases"][i]["holds"]));
+        cells.push_back(csv_cell(finding["cases"][i]["value"]));
+      }
+      text += csv_line(cells);
+    }
+  }
+  return text;
+}
+
+Json study_json(const Study& study, const std::vector<StudyRecord>& records) {
+  Json rules = Json::object();
+  for (const Finding& finding : evaluate_findings({})) rules[finding.id] = finding.rule;
+  return {{"study", study.name}, {"description", study.description}, {"rules", rules}, {"points", records}};
+}
+
+}  // namespace netpocket

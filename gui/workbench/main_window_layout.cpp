@@ -1,0 +1,141 @@
+// How the window is put together: its parts, docks and menus.
+
+#include <QDir>
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QMenuBar>
+#include <QSplitter>
+#include <QToolBar>
+#include <QVBoxLayout>
+
+#include "gui/workbench/dialogs/about_dialog.h"
+#include "gui/workbench/dialogs/shortcut_sheet.h"
+#include "gui/workbench/editor/scenario_editor.h"
+#include "gui/workbench/file_actions.h"
+#include "gui/workbench/findings_updater.h"
+#include "gui/workbench/lost_runs_bar.h"
+#include "gui/workbench/main_window.h"
+#include "gui/workbench/panels/findings_panel.h"
+#include "gui/workbench/panels/plots_panel.h"
+#include "gui/workbench/run_actions.h"
+#include "gui/workbench/run_file_actions.h"
+#include "gui/workbench/runs_panel.h"
+#include "gui/workbench/timeline/timeline_bar.h"
+#include "gui/workbench/view_actions.h"
+#include "gui/workbench/viewport/viewport.h"
+
+namespace netpocket {
+
+QWidget* MainWindow::make_center(const QString& run_folder) {
+  auto* center = new QWidget;
+  viewport_ = new Viewport(presenter_);
+  views_ = new QSplitter(Qt::Horizontal);
+  views_->setChildrenCollapsible(false);
+  views_->addWidget(viewport_);
+  timeline_ = new TimelineBar(*session_);
+  notice_ = new MessageBar(Tone::warning);
+  notice_->add_close_button();
+  lost_runs_ = new LostRunsBar(session_->runs(), run_folder);
+  auto* layout = new QVBoxLayout(center);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(lost_runs_);
+  layout->addWidget(notice_);
+  layout->addWidget(views_, 1);
+  layout->addWidget(timeline_);
+  return center;
+}
+
+void MainWindow::make_docks() {
+  const auto add = [this](const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area) {
+    auto* dock = new QDockWidget(title, this);
+    dock->setObjectName(name);
+    dock->setWidget(content);
+    addDockWidget(area, dock);
+    return dock;
+  };
+  editor_ = new ScenarioEditor(document_.get());
+  plots_ = new PlotsPanel;
+  findings_ = new FindingsPanel;
+  runs_panel_ = new RunsPanel(*session_);
+  findings_updater_ = std::make_unique<FindingsUpdater>(*session_, [this] { return runs_panel_->compared(); });
+  auto* scenario = add(tr("Scenario"), "scenario", editor_, Qt::LeftDockWidgetArea);
+  auto* plots = add(tr("Plots"), "plots", plots_, Qt::RightDockWidgetArea);
+  auto* findings = add(tr("Findings"), "findings", findings_, Qt::RightDockWidgetArea);
+  auto* runs = add(tr("Runs"), "runs", runs_panel_, Qt::RightDockWidgetArea);
+  tabifyDockWidget(findings, runs);
+  findings->raise();
+  resizeDocks({scenario, plots}, {330, 420}, Qt::Horizontal);
+  resizeDocks({plots, findings}, {3, 2}, Qt::Vertical);
+}
+
+void MainWindow::make_menus(const WindowOptions& options) {
+  auto* bar = addToolBar(tr("Toolbar"));
+  bar->setObjectName("toolbar");
+  bar->setMovable(false);
+  bar->setIconSize({20, 20});
+  auto* file = menuBar()->addMenu(tr("&File"));
+  auto* edit = menuBar()->addMenu(tr("&Edit"));
+  auto* run = menuBar()->addMenu(tr("&Run"));
+  auto* time = menuBar()->addMenu(tr("&Time"));
+  auto* view = menuBar()->addMenu(tr("&View"));
+  auto* help = menuBar()->addMenu(tr("&Help"));
+  for (QMenu* menu : {file, edit, run, time, view, help}) menu->setToolTipsVisible(true);
+
+  file_actions_ = new FileActions(*document_, *settings_, this);
+  file_actions_->fill(*file, *bar);
+  file->addSeparator();
+  const auto folder = [this] {
+    return document_->path().isEmpty() ? QDir::homePath() : QFileInfo(document_->path()).path();
+  };
+  run_files_ = new RunFileActions(*session_, *exports_, options.program, folder, this);
+  run_files_->fill(*file);
+  file->addSeparator();
+  auto* quit = file->addAction(tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), this, &QWidget::close);
+  quit->setMenuRole(QAction::QuitRole);
+
+  auto* undo = document_->undo_stack()->createUndoAction(this, tr("Undo"));
+  undo->setShortcut(QKeySequence::Undo);
+  auto* redo = document_->undo_stack()->createRedoAction(this, tr("Redo"));
+  redo->setShortcut(QKeySequence::Redo);
+  edit->addActions({undo, redo});
+  edit->addSeparator();
+  auto* find =
+      edit->addAction(tr("Find parameter"), QKeySequence(QKeySequence::Find), editor_, &ScenarioEditor::focus_search);
+  find->setStatusTip(tr("Search the scenario's parameters"));
+  edit->addSeparator();
+  auto* preferences = edit->addAction(tr("Preferences…"), QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_P), this,
+                                      &MainWindow::ask_for_preferences);
+  preferences->setStatusTip(tr("Memory, threads, drawing"));
+  preferences->setMenuRole(QAction::PreferencesRole);
+
+  bar->addSeparator();
+  run_actions_ = new RunActions(
+      *session_, [this] { return scenario_to_run(); }, this);
+  run_actions_->fill(*run, *bar);
+  bar->addSeparator();
+  view_actions_ = new ViewActions(*viewport_, *settings_, this);
+  view_actions_->fill(*view, *bar);
+  time->addActions(timeline_->playback_actions());
+
+  view->addSeparator();
+  auto* docks = view->addMenu(tr("Panels"));
+  for (auto* dock : findChildren<QDockWidget*>()) docks->addAction(dock->toggleViewAction());
+  auto* full = view->addAction(tr("Full screen"), QKeySequence(Qt::Key_F11), this,
+                               [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
+  full->setStatusTip(tr("Use the whole screen"));
+
+  make_help(*help, options.about);
+}
+
+void MainWindow::make_help(QMenu& menu, const QString& about) {
+  auto* keys = menu.addAction(tr("Keyboard and mouse"), QKeySequence(Qt::Key_F1), this,
+                              [this] { ShortcutSheet(*menuBar(), this).exec(); });
+  keys->setStatusTip(tr("All keys and what the mouse does"));
+  auto* about_action = menu.addAction(tr("About Netpocket"), this, [this, about] {
+    AboutDialog(about, viewport_->presenter_description(), this).exec();
+  });
+  about_action->setStatusTip(tr("Versions, and how pictures are drawn"));
+}
+
+}  // namespace netpocket

@@ -1,0 +1,120 @@
+#include "gui/workbench/run_file_actions.h"
+
+#include <QAction>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QSet>
+
+#include "gui/workbench/export/export_dialog.h"
+#include "gui/workbench/export/export_tray.h"
+
+namespace netpocket {
+namespace {
+
+// A file in `folder` that is neither there yet nor among those `taken`.
+QString unused_path(const QString& folder, const QString& name, QSet<QString>& taken) {
+  const QString base = QString(name).replace(QRegularExpression("[^A-Za-z0-9._-]+"), "_");
+  QString path = QDir(folder).filePath(base + ".h5");
+  for (int i = 2; QFileInfo::exists(path) || taken.contains(path); ++i) {
+    path = QDir(folder).filePath(QString("%1_%2.h5").arg(base).arg(i));
+  }
+  taken << path;
+  return path;
+}
+
+}  // namespace
+
+RunFileActions::RunFileActions(CaptureSession& session, ExportTray& tray, const QString& program,
+                               std::function<QString()> folder, QWidget* window)
+    : QObject(window), session_(session), tray_(tray), program_(program), folder_(std::move(folder)), window_(window) {
+  connect(&session_.runs(), &RunLibrary::saved, this, &RunFileActions::run_saved);
+  connect(&session_.runs(), &RunLibrary::failed, this, [this] { closing_ = false; });
+}
+
+void RunFileActions::fill(QMenu& menu) {
+  auto* save = menu.addAction(tr("Save run as…"), QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_S), this,
+                              &RunFileActions::save_shown);
+  save->setStatusTip(tr("Save the shown run as a recording"));
+  auto* export_action =
+      menu.addAction(tr("&Export…"), QKeySequence(Qt::CTRL | Qt::Key_E), this, &RunFileActions::ask_for_export);
+  export_action->setStatusTip(tr("Pictures, video, figures, tables of the shown run"));
+}
+
+void RunFileActions::save_shown() {
+  const Run* run = session_.current();
+  if (run == nullptr || run->frame_count() == 0) {
+    emit problem(tr("There is no run to save yet."));
+    return;
+  }
+  const RunId id = run->id;
+  const QString name = QDir(folder_()).filePath(run->name + ".h5");
+  QString path = QFileDialog::getSaveFileName(window_, tr("Save run"), name, tr("Recordings (*.h5)"));
+  if (path.isEmpty()) return;
+  if (QFileInfo(path).suffix().isEmpty()) path += ".h5";
+  emit file_used(path);
+  session_.runs().save(id, path);
+}
+
+void RunFileActions::ask_for_export() {
+  const Run* run = session_.current();
+  if (run == nullptr || run->frame_count() == 0) {
+    emit problem(tr("There is no run to export yet."));
+    return;
+  }
+  ExportDialog dialog(folder_(), run->name, window_);
+  if (dialog.exec() != QDialog::Accepted) return;
+  export_run([&dialog](const QString& recording) { return dialog.arguments(recording); }, dialog.label(),
+             dialog.target());
+}
+
+void RunFileActions::export_run(const std::function<QStringList(const QString& recording)>& arguments,
+                                const QString& label, const QString& result) {
+  const Run* run = session_.current();
+  if (run == nullptr) return;
+  const QStringList command = arguments(QString::fromStdString(run->file->path()));
+  session_.runs().flush(run->id, [this, command, label, result](const QString&) {
+    tray_.add(std::make_unique<ExportJob>(program_, command, label, result));
+  });
+}
+
+void RunFileActions::save_unsaved_to(const QString& folder) {
+  QSet<QString> taken;
+  for (const RunId id : session_.runs().unsaved()) {
+    const QString path = unused_path(folder, session_.runs().find(id)->name, taken);
+    emit file_used(path);
+    session_.runs().save(id, path);
+  }
+}
+
+bool RunFileActions::may_close() {
+  const std::vector<RunId> unsaved = session_.runs().unsaved();
+  if (unsaved.empty()) return true;
+  if (session_.is_running()) session_.pause();
+  const auto count = unsaved.size();
+  QMessageBox box(QMessageBox::Question, tr("Unsaved runs"),
+                  count == 1 ? tr("Save the run \"%1\"?").arg(session_.runs().find(unsaved.front())->name)
+                             : tr("Save %1 runs?").arg(count),
+                  QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window_);
+  box.setInformativeText(tr("Otherwise what was simulated is lost."));
+  box.setDefaultButton(QMessageBox::Save);
+  const int answer = box.exec();
+  if (answer != QMessageBox::Save) return answer == QMessageBox::Discard;
+  const QString folder = QFileDialog::getExistingDirectory(window_, tr("Save runs in"), folder_());
+  if (folder.isEmpty()) return false;
+  closing_ = true;
+  save_unsaved_to(folder);
+  return false;
+}
+
+void RunFileActions::run_saved() {
+  if (!closing_ || !session_.runs().unsaved().empty()) return;
+  closing_ = false;
+  emit close_window();
+}
+
+}  // namespace netpocket

@@ -1,0 +1,53 @@
+#pragma once
+// Runs as files: saving, exporting, and not losing any.
+// Thread contract: the user interface's thread.
+
+#include <QObject>
+#include <QSettings>
+#include <functional>
+
+#include "gui/workbench/session/capture_session.h"
+
+class QMenu;
+
+namespace netpocket {
+
+class ExportTray;
+
+class RunFileActions : public QObject {
+  Q_OBJECT
+ public:
+  // `program`: makes the exports; `folder` gives where to propose to write. All must outlive the actions.
+  RunFileActions(CaptureSession& session, ExportTray& tray, const QString& program, std::function<QString()> folder,
+                 QWidget* window);
+
+  void fill(QMenu& menu);
+
+  // Exports the shown run as the program's command `arguments`, made for its recording.
+  void export_run(const std::function<QStringList(const QString& recording)>& arguments, const QString& label,
+                  const QString& result);
+  // Writes all unsaved runs into a folder, each under a name of its own.
+  void save_unsaved_to(const QString& folder);
+  // Whether the window may close as far as runs are concerned. False: the user wants to keep them, and close_window()
+  // follows once they are saved.
+  bool may_close();
+
+ signals:
+  void problem(const QString& sentence);
+  void file_used(const QString& path);
+  void close_window();
+
+ private:
+  void save_shown();
+  void ask_for_export();
+  void run_saved();
+
+  CaptureSession& session_;
+  ExportTray& tray_;
+  QString program_;
+  std::function<QString()> folder_;
+  QWidget* window_;
+  bool closing_ = false;  // as soon as no run is unsaved
+};
+
+}  // namespace netpocket

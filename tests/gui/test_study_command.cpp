@@ -1,0 +1,101 @@
+// netpocket study, with the real engine.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <thread>
+
+#include "tests/gui/program.h"
+
+namespace netpocket {
+namespace {
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
+
+std::string content(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+// A coarse pocket; `rest` adds to it.
+std::string write_study(const TestFolder& folder, double end_time, const std::string& rest) {
+  std::ostringstream text;
+  text << "base = \"" << scenario_file("case1.toml") << "\"\n[set]\npocket.elements_per_side = 1\n"
+       << "pocket.mesh_rows = 2\npocket.mesh_columns = 2\noutput.end_time = " << end_time << "\n"
+       << rest;
+  return folder.write("study.toml", text.str());
+}
+
+TEST(Study, TabulatesItsPoints) {
+  const TestFolder folder;
+  const std::string study = write_study(
+      folder, 0.04, "[vary]\ntarget.radius = [4.0, 4.1, 9.0]\n[[variant]]\nname = \"fast\"\nclosing.duration = 5\n");
+  const auto result = run_program({"study", study, "-o", folder.file("out"), "--jobs", "2"});
+  EXPECT_EQ(result.exit_code, 0) << result.error;
+  EXPECT_TRUE(contains(result.out, "3 of 3 points done, 1 of them refused as not valid")) << result.out;
+  EXPECT_TRUE(contains(result.error, "100 %  3 of 3 points, 0 s left")) << result.error;
+  EXPECT_TRUE(contains(content(folder.file("out/study.csv")), "\n2,,4.1,fast,,finished,"));
+  EXPECT_TRUE(contains(content(folder.file("out/study.csv")), "the target starts inside the net"));
+  const auto json = nlohmann::json::parse(content(folder.file("out/study.json")));
+  EXPECT_EQ(json["points"][1]["runs"][0]["variant"], "fast");
+}
+
+TEST(Study, DoesNotMixStudiesUnlessToldToResume) {
+  const TestFolder folder;
+  const std::string study = write_study(folder, 0.02, "");
+  const std::vector<std::string> arguments = {"study", study, "-o", folder.file("out"), "--quiet"};
+  EXPECT_EQ(run_program(arguments).exit_code, 0);
+  const auto again = run_program(arguments);
+  EXPECT_EQ(again.exit_code, 5);
+  EXPECT_TRUE(contains(again.error, "holds a study already; --resume goes on with it")) << again.error;
+  const auto resumed = run_program({"study", study, "-o", folder.file("out"), "--resume", "--quiet"});
+  EXPECT_EQ(resumed.exit_code, 0) << resumed.error;
+  EXPECT_EQ(resumed.out + resumed.error, "");
+}
+
+TEST(Study, SaysWhereTheFileIsWrong) {
+  const TestFolder folder;
+  const std::string study = write_study(folder, 0.02, "[vary]\ntarget.radios = [4]\n");
+  const auto result = run_program({"study", study, "-o", folder.file("out")});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_TRUE(contains(result.error, "study.toml:8: \"target.radios\" is not a parameter; did you mean"))
+      << result.error;
+  EXPECT_FALSE(std::filesystem::exists(folder.file("out")));
+}
+
+TEST(Study, InterruptedItKeepsWhatIsDoneAndGoesOn) {
+  const TestFolder folder;
+  // The second point would take hours.
+  const std::string study = write_study(folder, 0.02, "[vary]\noutput.end_time = [0.02, 19000]\n");
+  RunningProgram program({"study", study, "-o", folder.file("out"), "--jobs", "1"});
+  while (!std::filesystem::exists(folder.file("out/points/0001.json"))) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  program.signal(SIGINT);
+  const auto result = program.wait();
+  EXPECT_EQ(result.exit_code, 130);
+  EXPECT_TRUE(contains(result.out, "1 of 2 points done")) << result.out;
+  EXPECT_TRUE(contains(result.error, "--resume goes on")) << result.error;
+  EXPECT_TRUE(contains(content(folder.file("out/study.csv")), "\n1,,0.02,"));
+  EXPECT_FALSE(std::filesystem::exists(folder.file("out/runs")));
+}
+
+TEST(Study, WritesAReport) {
+  const TestFolder folder;
+  const std::string study = write_study(
+      folder, 0.04, "[[point]]\nname = \"default\"\n[[point]]\nname = \"half step\"\nsolver.safety = 0.4\n");
+  const auto result =
+      run_program({"study", study, "-o", folder.file("out"), "--report", folder.file("F.md"), "--quiet"});
+  EXPECT_EQ(result.exit_code, 0) << result.error;
+  const std::string report = content(folder.file("F.md"));
+  EXPECT_TRUE(contains(report, "| F11 | The target stays captured. | no | 0 of 1 other points |")) << report;
+  EXPECT_TRUE(contains(report, "`solver.safety = 0.4`")) << report;
+}
+
+}  // namespace
+}  // namespace netpocket

@@ -1,0 +1,142 @@
+// Nothing is lost: questions before closing, runs and scenarios that a crash left behind, saving, exports.
+
+#include <QAbstractButton>
+#include <QDir>
+#include <QTest>
+#include <QUndoStack>
+
+#include "engine/recording/recording.h"
+#include "gui/workbench/editor/message_bar.h"
+#include "gui/workbench/editor/scenario_editor.h"
+#include "gui/workbench/lost_runs_bar.h"
+#include "gui/workbench/run_file_actions.h"
+#include "gui/workbench/session/run_folder.h"
+#include "tests/gui/workbench/window_fixture.h"
+
+namespace netpocket {
+namespace {
+
+TEST_F(WindowTest, AsksBeforeUnsavedChangesAreLost) {
+  ASSERT_FALSE(window_->document().set_value(*find_parameter("closing.duration"), 3.0));
+  answer_question(QMessageBox::Cancel);
+  EXPECT_FALSE(window_->close());
+  EXPECT_TRUE(window_->isVisible());
+  answer_question(QMessageBox::Discard);
+  EXPECT_TRUE(window_->close());
+}
+
+TEST_F(WindowTest, SavesBeforeItClosesWhenAskedTo) {
+  write_file("mine.toml", "[closing]\nduration = 4\n");
+  window_->open(file("mine.toml"));
+  ASSERT_FALSE(window_->document().set_value(*find_parameter("closing.duration"), 3.0));
+  answer_question(QMessageBox::Save);
+  EXPECT_TRUE(window_->close());
+  QFile saved(file("mine.toml"));
+  ASSERT_TRUE(saved.open(QIODevice::ReadOnly));
+  EXPECT_EQ(saved.readAll(), "[closing]\nduration = 3\n");
+}
+
+TEST_F(WindowTest, OpeningAnotherScenarioAsksFirst) {
+  write_file("other.toml", "name = \"other\"\n");
+  ASSERT_FALSE(window_->document().set_value(*find_parameter("closing.duration"), 3.0));
+  answer_question(QMessageBox::Cancel);
+  window_->open(file("other.toml"));
+  EXPECT_EQ(window_->document().scenario().name, "quick");
+  answer_question(QMessageBox::Discard);
+  window_->open(file("other.toml"));
+  EXPECT_EQ(window_->document().scenario().name, "other");
+}
+
+TEST_F(WindowTest, AsksBeforeUnsavedRunsAreLost) {
+  window_->apply_preferences({.ask_about_runs = true});
+  ASSERT_TRUE(run_to(0.2));
+  answer_question(QMessageBox::Cancel);
+  EXPECT_FALSE(window_->close());
+  answer_question(QMessageBox::Discard);
+  EXPECT_TRUE(window_->close());
+}
+
+TEST_F(WindowTest, SavedRunsAreNotAskedAbout) {
+  window_->apply_preferences({.ask_about_runs = true});
+  ASSERT_TRUE(run_to(0.2));
+  EXPECT_EQ(window_->session().runs().unsaved().size(), 1u);
+  QDir(folder_.path()).mkdir("saved");
+  window_->run_files().save_unsaved_to(file("saved"));
+  ASSERT_TRUE(wait_until([&] { return window_->session().runs().unsaved().empty(); }));
+  EXPECT_EQ(QDir(file("saved")).entryList({"*.h5"}), QStringList{"quick.h5"});
+  EXPECT_EQ(Recording(file("saved/quick.h5").toStdString()).frame_count(), window_->session().current()->frame_count());
+  EXPECT_TRUE(window_->close());
+}
+
+TEST_F(WindowTest, EveryRunGetsAFileOfItsOwn) {
+  ASSERT_TRUE(run_to(0.1));
+  ASSERT_TRUE(run_to(0.1));
+  write_file("quick.h5", "something else");
+  window_->run_files().save_unsaved_to(folder_.path());
+  ASSERT_TRUE(wait_until([&] { return window_->session().runs().unsaved().empty(); }));
+  EXPECT_EQ(QDir(folder_.path()).entryList({"*.h5"}).size(), 3);
+  EXPECT_EQ(QFile(file("quick.h5")).size(), 14);
+}
+
+TEST_F(WindowTest, RunsOfACrashedSessionAreOffered) {
+  ASSERT_TRUE(run_to(0.3));
+  const Run& run = *window_->session().current();
+  const std::size_t frames = run.frame_count();
+  window_->session().runs().flush(run.id, [](const QString&) {});
+  window_->session().runs().finish_writing();
+  // What a crash leaves: the folder with its recording, and nobody who holds its lock.
+  const QString lost = file("recovery/runs/runs-lost");
+  ASSERT_TRUE(QDir().mkpath(lost));
+  ASSERT_TRUE(QFile::copy(QString::fromStdString(run.file->path()), lost + "/run0.h5"));
+  reopen();
+  EXPECT_TRUE(window_->lost_runs().isVisible());
+  screenshot("lost_runs");
+  window_->lost_runs().recover();
+  EXPECT_FALSE(window_->lost_runs().isVisible());
+  ASSERT_TRUE(wait_until([&] { return window_->session().current() != nullptr; }));
+  EXPECT_EQ(window_->session().current()->frame_count(), frames);
+  EXPECT_EQ(window_->session().runs().unsaved().size(), 1u);
+  EXPECT_FALSE(QDir(lost).exists());
+  window_.reset();
+  // Everything temporary went with the session.
+  EXPECT_TRUE(QDir(file("recovery/runs")).entryList(QDir::Dirs | QDir::NoDotAndDotDot).isEmpty());
+}
+
+TEST(RunFolder, OfALivingSessionIsNotLost) {
+  QTemporaryDir parent;
+  {
+    const RunFolder folder(parent.path());
+    QFile recording(folder.path() + "/run0.h5");
+    ASSERT_TRUE(recording.open(QIODevice::WriteOnly));
+    EXPECT_TRUE(find_lost_runs(parent.path()).empty());
+  }
+  EXPECT_TRUE(QDir(parent.path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot).isEmpty());
+}
+
+TEST(RunFolder, WithoutAPlaceToWriteTakesTheTemporaryFolder) {
+  const RunFolder folder("/proc/nowhere");
+  EXPECT_TRUE(QDir(folder.path()).exists());
+}
+
+TEST_F(WindowTest, ScenarioOfACrashedSessionIsOffered) {
+  ASSERT_FALSE(window_->document().set_value(*find_parameter("closing.duration"), 3.0));
+  window_->document().autosave();
+  // A copy without a lock is what a crash leaves.
+  const QDir recovery(file("recovery"));
+  const QStringList files = recovery.entryList({"*.recovery"});
+  ASSERT_EQ(files.size(), 1);
+  ASSERT_TRUE(QFile::copy(recovery.filePath(files.front()), recovery.filePath("crashed.recovery")));
+  window_.reset();
+  window_ = std::make_unique<MainWindow>(options_);
+  window_->show();
+  auto* bar = window_->editor().recovery_bar();
+  EXPECT_FALSE(bar->isHidden());
+  for (auto* button : bar->findChildren<QAbstractButton*>()) {
+    if (button->text() == "Recover") button->click();
+  }
+  EXPECT_EQ(window_->document().scenario().closing.duration, 3);
+  EXPECT_TRUE(window_->isWindowModified());
+}
+
+}  // namespace
+}  // namespace netpocket

@@ -1,0 +1,236 @@
+// How the window looks, against pictures that people have looked at. What it shows is made up (tests/render), so that
+// no change of the engine changes a picture.
+
+#include <QAction>
+#include <QDockWidget>
+#include <QLineEdit>
+#include <QPainter>
+#include <QTabWidget>
+#include <QTest>
+#include <cmath>
+
+#include "engine/recording/recorder.h"
+#include "engine/scenario/write_scenario.h"
+#include "gui/workbench/dialogs/preferences_dialog.h"
+#include "gui/workbench/editor/scenario_editor.h"
+#include "gui/workbench/editor/text_page.h"
+#include "gui/workbench/editor/toml_edit_view.h"
+#include "gui/workbench/panels/plots_panel.h"
+#include "gui/workbench/second_view.h"
+#include "gui/workbench/timeline/timeline_bar.h"
+#include "gui/workbench/view_actions.h"
+#include "gui/workbench/viewport/viewport.h"
+#include "tests/gui/workbench/picture_baseline.h"
+#include "tests/gui/workbench/window_fixture.h"
+#include "tests/render/synthetic_pocket.h"
+
+namespace netpocket {
+namespace {
+
+constexpr int kFrames = 101;       // 0, 0.1, ... 10 s
+constexpr double kTouched = 5.6;   // s
+constexpr double kPeakForce = 42;  // N
+
+// Channels with the look of a capture: a force that comes, turns and goes.
+void make_up_channels(Snapshot& frame) {
+  const double t = frame.time, since = std::max(0.0, t - kTouched), closed = t / 10;
+  frame.channel(Channel::time) = t;
+  frame.channel(Channel::closing_length) = frame.channel(Channel::commanded_length) = 5.8 - 3.7 * closed;
+  frame.channel(Channel::closing_speed) = frame.channel(Channel::commanded_speed) = -0.37;
+  frame.channel(Channel::contact_fy) = kPeakForce * std::sin(1.9 * since) * std::exp(-0.4 * since);
+  frame.channel(Channel::contact_count) = since > 0 ? 24 : 0;
+  frame.channel(Channel::target_y) = 7.5 - 0.01 * since * since;
+  frame.channel(Channel::spacecraft_y) = -1 + 0.002 * since * since;
+  frame.channel(Channel::energy_kinetic) = 3 * closed;
+  frame.channel(Channel::energy_input) = 5 * closed;
+  frame.channel(Channel::energy_error) = 1e-4 * closed;
+  frame.channel(Channel::time_step) = 1e-4;
+}
+
+class PictureTest : public WindowTest {
+ protected:
+  PictureTest() {
+    if (options_.presenter != PresenterKind::image) return;
+    window_->resize(1280, 800);
+    editor().search()->setText("duration");
+    auto* runs = window_->findChild<QDockWidget*>("runs");
+    runs->raise();
+    window_->viewport().setFocus();
+  }
+
+  void SetUp() override {
+    if (options_.presenter != PresenterKind::image) GTEST_SKIP() << "baselines are drawn by the image presenter";
+  }
+
+  ScenarioEditor& editor() const { return window_->editor(); }
+
+  // A scenario of which nothing is left to defaults that may change.
+  void edit_scenario() const {
+    write_file("frozen.toml", R"(name = "frozen"
+[pocket]
+rod_count = 8
+mesh_columns = 4
+mesh_rows = 4
+elements_per_side = 1
+[rods]
+profile = [[0.6, 0], [4.8, 5.3], [7.56, 12]]
+outer_diameter = 0.1
+[spacecraft]
+position = [0, -1, 0]
+size = [1.6, 2, 1.6]
+[target]
+shape = "sphere"
+radius = 4.2
+position = [0, 7.5, 0]
+[closing]
+law = "cycloid"
+start = 0
+duration = 10
+closed_length = 2.1
+elements = 2
+[towing]
+mode = "force"
+start = 10
+duration = 4
+[output]
+end_time = 14
+)");
+    window_->open(file("frozen.toml"));
+  }
+
+  // A made-up recording, opened.
+  void open_recording() {
+    RunOrigin origin;
+    origin.scenario_name = "made_up";
+    origin.scenario_text = write_scenario_text(Scenario{});
+    origin.closing_end = 10;
+    const Structure structure = synthetic::make_structure();
+    {
+      Recorder recorder(file("made_up.h5").toStdString(), origin, structure, true);
+      for (int i = 0; i < kFrames; ++i) {
+        Snapshot frame = synthetic::make_snapshot(structure, 0.1 * i, i / (kFrames - 1.0));
+        make_up_channels(frame);
+        recorder.write(frame);
+      }
+      recorder.finish({RunReason::finished, 10, ""}, {.time_step = 1e-4, .step_limit = "axial wave in panel 3"});
+    }
+    edit_scenario();
+    // Modified, so that the recording's scenario, which is the default one, is not taken over.
+    ASSERT_FALSE(window_->document().set_value(*find_parameter("closing.duration"), 9.0));
+    window_->open(file("made_up.h5"));
+    ASSERT_TRUE(wait_until([&] { return window_->session().current() != nullptr; }));
+    window_->plots().show_figure("figure05_force");
+    window_->timeline().go_to(7);
+  }
+
+  QImage picture() {
+    EXPECT_TRUE(wait_for_picture());
+    QTest::qWait(400);  // plots follow within 50 ms, marks within 250 ms
+    EXPECT_TRUE(wait_for_picture());
+    return window_->grab().toImage();
+  }
+
+  static QPalette dark() {
+    QPalette palette(QColor(45, 48, 54), QColor(38, 41, 46));
+    palette.setColor(QPalette::Base, QColor(30, 32, 36));
+    return palette;
+  }
+};
+
+TEST_F(PictureTest, ScenarioBeforeAnyRun) {
+  edit_scenario();
+  EXPECT_TRUE(matches_baseline(picture(), "scenario"));
+}
+
+TEST_F(PictureTest, Recording) {
+  open_recording();
+  EXPECT_TRUE(matches_baseline(picture(), "recording"));
+}
+
+TEST_F(PictureTest, RecordingInTheDark) {
+  const QPalette light = QApplication::palette();
+  QApplication::setPalette(dark());
+  open_recording();
+  EXPECT_TRUE(matches_baseline(picture(), "recording_dark"));
+  QApplication::setPalette(light);
+}
+
+TEST_F(PictureTest, SecondView) {
+  open_recording();
+  window_->view_actions().second_view_action()->trigger();
+  QTest::qWait(50);
+  window_->viewport().fit();
+  window_->second_view()->viewport().set_preset(CameraPreset::front);
+  EXPECT_TRUE(matches_baseline(picture(), "second_view"));
+}
+
+TEST_F(PictureTest, PickedAndPlotted) {
+  open_recording();
+  ASSERT_TRUE(wait_for_picture());
+  const std::int32_t tip = window_->viewport().state().structure->rod_tips[1];
+  window_->viewport().select(Pick{PickKind::node, tip, 0, {0, 0, 0}});
+  emit window_->viewport().plot_requested(*window_->viewport().selection());
+  ASSERT_TRUE(wait_until([&] { return window_->plots().figure_name() == "picked"; }));
+  EXPECT_TRUE(matches_baseline(picture(), "picked"));
+}
+
+TEST_F(PictureTest, Measuring) {
+  open_recording();
+  window_->viewport().set_preset(CameraPreset::front);
+  ASSERT_TRUE(wait_for_picture());
+  window_->viewport().set_measuring(true);
+  const auto& state = window_->viewport().state();
+  for (const std::size_t rod : {0u, 3u}) {
+    const Eigen::Vector3d tip = state.snapshot->positions.col(state.structure->rod_tips[rod]);
+    const auto seen = OrbitCamera(state.camera).project(tip, window_->viewport().size());
+    QTest::mouseClick(&window_->viewport(), Qt::LeftButton, {}, seen->position.toPoint());
+  }
+  ASSERT_EQ(window_->viewport().measured().size(), 2u);
+  EXPECT_TRUE(matches_baseline(picture(), "measuring"));
+}
+
+TEST_F(PictureTest, TextWithAnError) {
+  edit_scenario();
+  editor().tabs()->setCurrentWidget(editor().text_page());
+  editor().text_page()->view()->setPlainText("name = \"frozen\"\n[closing]\ndurration = 5\n");
+  EXPECT_FALSE(window_->scenario_to_run());
+  window_->viewport().setFocus();
+  EXPECT_TRUE(matches_baseline(picture(), "text_error"));
+}
+
+TEST_F(PictureTest, Preferences) {
+  PreferencesDialog dialog({}, 96 << 20, nullptr);
+  EXPECT_TRUE(matches_baseline(dialog.grab().toImage(), "preferences"));
+}
+
+// The comparison finds what a person would miss: small things.
+
+QImage some_picture() {
+  QImage picture(640, 400, QImage::Format_RGB32);
+  picture.fill(Qt::white);
+  QPainter painter(&picture);
+  painter.drawText(100, 100, "Contact force");
+  painter.fillRect(300, 200, 120, 80, QColor(0, 114, 178));
+  return picture;
+}
+
+TEST(PictureBaseline, FindsAMissingWord) {
+  QImage changed = some_picture();
+  QPainter(&changed).fillRect(90, 80, 120, 30, Qt::white);
+  EXPECT_FALSE(is_same_picture(compare_pictures(some_picture(), changed)));
+  EXPECT_TRUE(is_same_picture(compare_pictures(some_picture(), some_picture())));
+}
+
+TEST(PictureBaseline, FindsAnotherColourAndAShift) {
+  QImage colour = some_picture();
+  QPainter(&colour).fillRect(300, 200, 120, 80, QColor(0, 126, 178));
+  EXPECT_FALSE(is_same_picture(compare_pictures(some_picture(), colour)));
+  QImage shifted(some_picture().size(), QImage::Format_RGB32);
+  shifted.fill(Qt::white);
+  QPainter(&shifted).drawImage(1, 0, some_picture());
+  EXPECT_FALSE(is_same_picture(compare_pictures(some_picture(), shifted)));
+  EXPECT_FALSE(is_same_picture(compare_pictures(some_picture(), QImage(10, 10, QImage::Format_RGB32))));
+}
+
+}  // namespace
+}  // namespace netpocket
