@@ -40,7 +40,7 @@ struct RenderChoice {
   std::string folder, sheet, video, gltf, saved_view;
   std::vector<double> times;
   double rate = kDefaultRate;
-  int every = 0;  // 0: not given
+  int every = 0;       // 0: not given
   PictureSize size{};  // 0: not given
   PictureSize panel_size{640, 640};
   int columns = 3;
@@ -170,7 +170,8 @@ void check_choice(const RenderChoice& choice) {
     throw CommandError(ExitCode::usage, "nothing to write: give --output, --sheet, --video, --gltf or --save-view");
   }
   if (choice.transparent && (choice.folder.empty() || !choice.video.empty())) {
-    throw CommandError(ExitCode::usage, "--transparent is for pictures (--output); videos and sheets have a background");
+    throw CommandError(ExitCode::usage,
+                       "--transparent is for pictures (--output); videos and sheets have a background");
   }
   if (choice.resume && choice.folder.empty()) {
     throw CommandError(ExitCode::usage, "--resume needs --output: the pictures that exist are what it goes on from");
@@ -265,7 +266,8 @@ void add_look(CLI::App& app, RenderChoice& choice) {
       ->excludes(app.get_option("--camera"));
   add_choice(app, "--color-by", choice.color_by, "colour of cords and rods",
              {"none", "tension", "strain", "speed", "contact"});
-  app.add_option("--color-range", choice.color_range, "values at the ends of the colours, SI units (default: by the run)")
+  app.add_option("--color-range", choice.color_range,
+                 "values at the ends of the colours, SI units (default: by the run)")
       ->type_name("LOW,HIGH")
       ->delimiter(',')
       ->expected(2);
@@ -294,9 +296,7 @@ void add_extras(CLI::App& app, RenderChoice& choice) {
 
 Action declare_render(CLI::App& app) {
   const auto choice = std::make_shared<RenderChoice>();
-  app.add_option("RUN.h5", choice->recordings, "recordings to draw, next to each other")
-      ->required()
-      ->type_name("FILE");
+  app.add_option("RUN.h5", choice->recordings, "recordings to draw, next to each other")->required()->type_name("FILE");
   add_outputs(app, *choice);
   add_times(app, *choice);
   add_look(app, *choice);

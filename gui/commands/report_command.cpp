@@ -12,7 +12,8 @@
 namespace netpocket {
 namespace {
 
-constexpr const char* kHelp = R"(One HTML file that opens without a network: results, the capture as a sheet and a video, the paper's findings and
+constexpr const char* kHelp =
+    R"(One HTML file that opens without a network: results, the capture as a sheet and a video, the paper's findings and
 figures, and the scenarios. Several recordings stand next to each other.
 
 Examples:

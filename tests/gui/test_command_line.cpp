@@ -10,7 +10,7 @@
 namespace netpocket {
 namespace {
 
-const std::vector<std::string> kCommands = {"run", "check", "render", "plot", "export", "info", "findings", "backends"};
+const std::vector<std::string> kCommands = {"run", "check", "render", "plot", "report", "export", "info", "findings", "backends"};
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
 
@@ -74,7 +74,7 @@ TEST(CommandLine, WrongUsageIsOneSentenceAndStatus2) {
       {{"run", "a.toml", "-o", "b.h5", "--until", "nan"}, R"("nan" is not a number above 0)"},
       {{"run", "a.toml", "-o", "b.h5", "--until", "-1"}, R"("-1" is not a number above 0)"},
       {{"run", "a.toml", "-o", "b.h5", "--threads", "0"}, "not a whole number from 1 to 256"},
-      {{"render", "a.h5"}, "give --output, --sheet or --video"},
+      {{"render", "a.h5"}, "give --output, --sheet, --video, --gltf or --save-view"},
       {{"render", "a.h5", "-o", "b", "--camera", "isso"}, R"(--camera: unknown name "isso"; did you mean "iso"?)"},
       {{"render", "a.h5", "-o", "b", "--camera", "bird"}, "use iso, side, front, mouth, follow"},
       {{"render", "a.h5", "-o", "b", "--backend", "osmessa"}, R"(did you mean "osmesa"?)"},

@@ -117,7 +117,7 @@ TEST_F(RenderRun, MakesASheet) {
   const auto path = folder_ + "/sheet.png";
   render_sheet(recording, {0, 2, 4, 6, 8, 10}, path, sheet);
   const auto image = read_png(path);
-  EXPECT_EQ(image.width, 24 + 3 * (800 + 24));
+  EXPECT_EQ(image.width, 24 + 3 * (640 + 24));
   EXPECT_EQ(image.height, 24 + 2 * (640 + 39 + 24));
   EXPECT_GT(pictures::drawn_fraction(image), 0.05);
 }
