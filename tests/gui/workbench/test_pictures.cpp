@@ -112,7 +112,10 @@ end_time = 14
         make_up_channels(frame);
         recorder.write(frame);
       }
-      recorder.finish({RunReason::finished, 10, ""}, {.time_step = 1e-4, .step_limit = "axial wave in panel 3"});
+      RunStatistics statistics;
+      statistics.time_step = 1e-4;
+      statistics.step_limit = "axial wave in panel 3";
+      recorder.finish({RunReason::finished, 10, ""}, statistics);
     }
     edit_scenario();
     // Modified, so that the recording's scenario, which is the default one, is not taken over.
