@@ -53,7 +53,7 @@ class RopeDynamics {
     double share_at_start;
     double initial_length;
     RopeMotion now{};
-    std::size_t leader;  // index of the rope whose inertia this one shares
+    std::size_t leader = 0;  // index of the rope whose inertia this one shares
   };
 
   template <typename Function>
