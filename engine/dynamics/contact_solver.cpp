@@ -30,6 +30,14 @@ Eigen::Vector3d combine(const SlotVectors& vectors, const std::array<std::int32_
           (weight[2] * vectors.get(slot[2]) + weight[3] * vectors.get(slot[3])));
 }
 
+// Between two checks for faults a diverging state may become anything, and FCL's tree does not survive numbers that are
+// none or overflow.
+bool is_sound(const Eigen::AlignedBox3d& box) {
+  constexpr double kFarthest = 1e9;  // m
+  return box.min().allFinite() && box.max().allFinite() && box.min().cwiseAbs().maxCoeff() < kFarthest &&
+         box.max().cwiseAbs().maxCoeff() < kFarthest;
+}
+
 }  // namespace
 
 ContactSolver::ContactSolver(const Model& model, const SlotLayout& layout, std::span<const double> mass)
@@ -89,7 +97,7 @@ Eigen::AlignedBox3d ContactSolver::bounds(const SlotVectors& coordinates, double
   return {box.min() - radius, box.max() + radius};
 }
 
-void ContactSolver::update_broad_phase(const SlotVectors& coordinates, const std::vector<double>& element_length,
+bool ContactSolver::update_broad_phase(const SlotVectors& coordinates, const std::vector<double>& element_length,
                                        const std::vector<DynamicBody>& bodies) {
   std::vector<Eigen::AlignedBox3d> boxes;
   for (std::size_t i = 0; i < slots_.size(); ++i) {
@@ -99,7 +107,12 @@ void ContactSolver::update_broad_phase(const SlotVectors& coordinates, const std
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     shapes.push_back({model_.bodies[b].shape, bodies[b].centre(), bodies[b].rigid().rotation()});
   }
+  const bool lost = !std::ranges::all_of(boxes, is_sound) || !std::ranges::all_of(bodies, [](const DynamicBody& body) {
+    return is_sound(Eigen::AlignedBox3d(body.centre()));
+  });
+  if (lost) return false;
   broad_phase_.update(boxes, shapes);
+  return true;
 }
 
 bool ContactSolver::is_near(const SlotVectors& coordinates, double length, std::int32_t element, std::int32_t body,
@@ -134,7 +147,10 @@ void ContactSolver::survey(const SlotVectors& coordinates, const SlotVectors& ve
     steps_to_survey_ = std::max(1, static_cast<int>(kLongestTravel / travel_per_step));
   }
   const double travel = travel_per_step * steps_to_survey_;
-  if (broad_phase_.advance(travel)) update_broad_phase(coordinates, element_length, bodies);
+  if (broad_phase_.advance(travel) && !update_broad_phase(coordinates, element_length, bodies)) {
+    for (std::vector<std::int32_t>& near : near_) near.clear();
+    return;
+  }
   const double margin = kNearMargin + 2 * travel;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     near_[b].clear();

@@ -74,7 +74,8 @@ class ContactSolver {
   void survey(const SlotVectors& coordinates, const SlotVectors& velocities, const std::vector<double>& element_length,
               const std::vector<DynamicBody>& bodies, double dt);
   Eigen::AlignedBox3d bounds(const SlotVectors& coordinates, double length, std::int32_t element) const;
-  void update_broad_phase(const SlotVectors& coordinates, const std::vector<double>& element_length,
+  // False when the state is lost: then there is nothing to look for.
+  bool update_broad_phase(const SlotVectors& coordinates, const std::vector<double>& element_length,
                           const std::vector<DynamicBody>& bodies);
   void find(const SlotVectors& coordinates, const std::vector<double>& element_length,
             const std::vector<DynamicBody>& bodies);

@@ -167,5 +167,14 @@ TEST_F(Resume, DivergedRunEndsWithItsLastSoundState) {
   EXPECT_NE(message.find("in step " + std::to_string(last.step + 1) + " of"), std::string::npos) << message;
 }
 
+// Far beyond the stable step the state overflows before it is looked at.
+TEST(Divergence, OverflowIsSurvivedAndExplained) {
+  Scenario scenario = quick_scenario(3);
+  scenario.solver.time_step = 0.05;
+  const RunStatus status = Simulation(scenario).advance(3);
+  EXPECT_EQ(status.reason, RunReason::diverged);
+  EXPECT_NE(status.message.find(" in step "), std::string::npos) << status.message;
+}
+
 }  // namespace
 }  // namespace netpocket
