@@ -8,16 +8,24 @@
 namespace netpocket {
 namespace {
 
-element_kernel::Kernel choose_kernel() {
-  switch (instruction_set()) {
-    case InstructionSet::avx512:
-      return element_kernel::avx512::element_forces;
-    case InstructionSet::avx2:
-      return element_kernel::avx2::element_forces;
-    case InstructionSet::baseline:
-      break;
-  }
-  return element_kernel::baseline::element_forces;
+struct Kernels {
+  element_kernel::Kernel forces;
+  element_kernel::StateKernel states;
+};
+
+const Kernels& kernels() {
+  static const Kernels chosen = [] {
+    switch (instruction_set()) {
+      case InstructionSet::avx512:
+        return Kernels{element_kernel::avx512::element_forces, element_kernel::avx512::element_states};
+      case InstructionSet::avx2:
+        return Kernels{element_kernel::avx2::element_forces, element_kernel::avx2::element_states};
+      case InstructionSet::baseline:
+        break;
+    }
+    return Kernels{element_kernel::baseline::element_forces, element_kernel::baseline::element_states};
+  }();
+  return chosen;
 }
 
 // Fills base and rotation of a corner whose lanes read an aligned run of eight slots, rotated.
@@ -33,47 +41,89 @@ void find_run(ElementBlock& block, int corner) {
   block.rotation[corner] = regular ? rotation : 0;
 }
 
-void fill_lane(ElementBlock& block, int lane, const BatchElement& element) {
+void fill_lane(ElementBlock& block, SectionRows& rows, int lane, const BatchElement& element) {
   for (int corner = 0; corner < 4; ++corner) block.slot[corner][lane] = element.slot[corner];
   const CableSection& section = element.section;
   block.length[lane] = element.length;
   block.inverse_length[lane] = 1.0 / element.length;
-  block.axial_stiffness[lane] = section.EA;
-  block.compression_stiffness[lane] = section.EA * section.compression;
-  block.axial_damping[lane] = section.axial_damping;
-  block.bending_stiffness[lane] = section.EI / element.length;
-  block.bending_damping[lane] = section.bending_damping;
   block.length_rate[lane] = 0;
+  block.variable = block.variable || element.variable;
+  rows.axial_stiffness[lane] = section.EA;
+  rows.compression_stiffness[lane] = section.EA * section.compression;
+  rows.axial_damping[lane] = section.axial_damping;
+  rows.bending_rigidity[lane] = section.EI;
+  rows.bending_damping[lane] = section.bending_damping;
 }
 
 // A lane without an element: reads valid coordinates and exerts no force.
-void fill_idle_lane(ElementBlock& block, int lane) {
+void fill_idle_lane(ElementBlock& block, SectionRows& rows, int lane) {
   BatchElement idle{};
   std::copy_n(std::begin({block.slot[0][0], block.slot[1][0], block.slot[2][0], block.slot[3][0]}), 4, idle.slot);
   idle.length = 1;
   idle.section = CableSection{};
   idle.section.EA = idle.section.EI = 0;
-  fill_lane(block, lane, idle);
+  fill_lane(block, rows, lane, idle);
 }
 
 }  // namespace
 
 ElementBatch::ElementBatch(std::span<const BatchElement> elements)
-    : element_count_(static_cast<int>(elements.size())),
-      blocks_((elements.size() + kBlockSize - 1) / kBlockSize),
-      variable_(blocks_.size(), 0) {
-  bending_rigidity_.reserve(elements.size());
-  for (std::size_t i = 0; i < elements.size(); ++i) {
-    fill_lane(blocks_[i / kBlockSize], static_cast<int>(i % kBlockSize), elements[i]);
-    if (elements[i].variable) variable_[i / kBlockSize] = 1;
-    bending_rigidity_.push_back(elements[i].section.EI);
-  }
-  for (std::size_t i = elements.size(); i < blocks_.size() * kBlockSize; ++i) {
-    fill_idle_lane(blocks_.back(), static_cast<int>(i % kBlockSize));
-  }
-  for (ElementBlock& block : blocks_) {
+    : element_count_(static_cast<int>(elements.size())), blocks_((elements.size() + kBlockSize - 1) / kBlockSize) {
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    ElementBlock& block = blocks_[b];
+    SectionRows rows{};
+    for (int lane = 0; lane < kBlockSize; ++lane) {
+      const std::size_t element = b * kBlockSize + static_cast<std::size_t>(lane);
+      if (element < elements.size()) {
+        fill_lane(block, rows, lane, elements[element]);
+      } else {
+        fill_idle_lane(block, rows, lane);
+      }
+    }
     for (int corner = 0; corner < 4; ++corner) find_run(block, corner);
+    block.section = index_of(rows);
   }
+  find_mates(elements);
+}
+
+void ElementBatch::find_mates(std::span<const BatchElement> elements) {
+  const auto mate_of = [&](std::size_t element) { return element < elements.size() ? elements[element].mate : -1; };
+  // Whether the mates of all lanes are in the block `distance` on.
+  const auto aligned = [&](std::size_t b, int distance) {
+    for (std::size_t i = b * kBlockSize; i < (b + 1) * kBlockSize; ++i) {
+      if (mate_of(i) < 0 || mate_of(i) != static_cast<std::int32_t>(i) + distance * kBlockSize) return false;
+    }
+    return true;
+  };
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    ElementBlock& block = blocks_[b];
+    block.pairing = Pairing::none;
+    if (aligned(b, 1)) {
+      block.pairing = Pairing::first;
+    } else if (aligned(b, -1)) {
+      block.pairing = Pairing::second;
+    } else {
+      SectionRows unused{};
+      ElementBlock mates = block;
+      for (std::size_t i = b * kBlockSize; i < (b + 1) * kBlockSize; ++i) {
+        if (mate_of(i) < 0) continue;
+        block.pairing = Pairing::elsewhere;
+        fill_lane(mates, unused, static_cast<int>(i % kBlockSize), elements[static_cast<std::size_t>(mate_of(i))]);
+      }
+      if (block.pairing == Pairing::none) continue;
+      for (int corner = 0; corner < 4; ++corner) find_run(mates, corner);
+      block.mates = static_cast<std::int32_t>(mates_.size());
+      mates_.push_back(mates);
+    }
+  }
+}
+
+// Blocks in a row are mostly alike, so the search begins with the newest.
+std::int32_t ElementBatch::index_of(const SectionRows& rows) {
+  const auto found = std::find(sections_.rbegin(), sections_.rend(), rows);
+  if (found != sections_.rend()) return static_cast<std::int32_t>(sections_.rend() - found) - 1;
+  sections_.push_back(rows);
+  return static_cast<std::int32_t>(sections_.size()) - 1;
 }
 
 void ElementBatch::set_length(int element, double length, double rate) {
@@ -81,14 +131,21 @@ void ElementBatch::set_length(int element, double length, double rate) {
   const int lane = element % kBlockSize;
   block.length[lane] = length;
   block.inverse_length[lane] = 1.0 / length;
-  block.bending_stiffness[lane] = bending_rigidity_[element] / length;
   block.length_rate[lane] = rate / length;
+  if (block.pairing != Pairing::elsewhere) return;
+  ElementBlock& mates = mates_[block.mates];  // a mate is as long
+  mates.length[lane] = length;
+  mates.inverse_length[lane] = block.inverse_length[lane];
+  mates.length_rate[lane] = block.length_rate[lane];
 }
 
-double ElementBatch::forces(int first, int last, const SlotArrays& coordinates, const SlotArrays& velocities,
-                            double* forces) const {
-  static const element_kernel::Kernel kernel = choose_kernel();
-  return kernel(blocks_.data(), variable_.data(), first, last, coordinates, velocities, forces);
+BatchPower ElementBatch::forces(int first, int last, const SlotArrays& coordinates, const SlotArrays& velocities,
+                                double* forces) const {
+  return kernels().forces(view(), first, last, coordinates, velocities, forces);
+}
+
+void ElementBatch::states(const SlotArrays& coordinates, const SlotArrays& velocities, double* states) const {
+  kernels().states(view(), 0, block_count(), coordinates, velocities, states);
 }
 
 }  // namespace netpocket

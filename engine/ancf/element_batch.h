@@ -27,32 +27,68 @@ struct BatchElement {
   std::int32_t slot[4];  // r1, g1, r2, g2
   double length;         // m
   CableSection section;
-  bool variable = false;  // length changes during the run: see set_length
+  bool variable = false;   // length changes during the run: see set_length
+  std::int32_t mate = -1;  // element with which it shares its axial strain (strain_pair.h), or -1
 };
 
-// The rows of eight come first: each starts at a 64-byte boundary.
-struct alignas(64) ElementBlock {
-  double length[kBlockSize];
-  double inverse_length[kBlockSize];
+// How the elements of a block find their mates' strain.
+enum class Pairing : std::uint8_t {
+  none,      // no element has a mate
+  first,     // the mate of each lane is the same lane of the next block
+  second,    // ... of the previous block
+  elsewhere  // anywhere: the block has a copy of what its mates read
+};
+
+// What the elements of a block are made of, by lane. Few differ: blocks refer to a common table that stays in the
+// fastest cache.
+struct alignas(64) SectionRows {
   double axial_stiffness[kBlockSize];        // EA, N
   double compression_stiffness[kBlockSize];  // EA in compression, N
   double axial_damping[kBlockSize];          // c, s
-  double bending_stiffness[kBlockSize];      // EI/L, N m
+  double bending_rigidity[kBlockSize];       // EI, N m^2
   double bending_damping[kBlockSize];        // c, s
-  double length_rate[kBlockSize];            // Ldot/L, 1/s
-  std::int32_t slot[4][kBlockSize];
-  std::int32_t base[4];      // first slot of an aligned run of eight that the lanes read rotated, or -1
+
+  bool operator==(const SectionRows&) const = default;
+};
+
+// What a step reads of most blocks comes first: three cache lines.
+struct alignas(64) ElementBlock {
+  double length[kBlockSize];          // m
+  double inverse_length[kBlockSize];  // 1/m
+  std::int32_t base[4];      // by corner: first slot of an aligned run of eight that the lanes read rotated, or -1
   std::int32_t rotation[4];  // lane i reads base + (i + rotation) mod 8
+  std::int32_t section;      // row of the table of sections
+  std::int32_t mates;        // pairing elsewhere: row of the table of mates
+  bool variable;             // the length of a lane or more changes
+  Pairing pairing;
+  alignas(64) double length_rate[kBlockSize];  // Ldot/L, 1/s
+  std::int32_t slot[4][kBlockSize];
+};
+
+// What the element kernels read.
+struct BatchView {
+  const ElementBlock* blocks;
+  const SectionRows* sections;
+  const ElementBlock* mates;
+};
+
+// W.
+struct BatchPower {
+  double dissipated = 0;  // by internal damping
+  double fed = 0;         // put into elements of variable length against their internal force
 };
 
 // Forces of one element on its coordinates, by block: nine rows of eight lanes. The force on r2 is minus that on r1.
 inline constexpr int kForceRows = 9;  // r1 x y z, g1 x y z, g2 x y z
+// State of one element, by block: rows of eight lanes.
+inline constexpr int kStateRows = 3;  // axial strain, its rate (1/s), bending energy (J)
 enum class Corner : std::uint8_t { position1 = 0, gradient1 = 1, position2 = 2, gradient2 = 3 };
 
 class ElementBatch {
  public:
   explicit ElementBatch(std::span<const BatchElement> elements);
 
+  BatchView view() const { return {blocks_.data(), sections_.data(), mates_.data()}; }
   int block_count() const { return static_cast<int>(blocks_.size()); }
   int element_count() const { return element_count_; }
   const ElementBlock& block(int index) const { return blocks_[index]; }
@@ -61,15 +97,21 @@ class ElementBatch {
   void set_length(int element, double length, double rate);
 
   // Resisting forces Q (equation of motion: M qdd + Q = F) of blocks [first, last) at these coordinates and velocities.
-  // `forces` holds kForceRows * kBlockSize doubles for each block of the batch, 64-byte aligned. Returns the power that
-  // internal damping dissipates (W). Safe to call from several threads for different blocks.
-  double forces(int first, int last, const SlotArrays& coordinates, const SlotArrays& velocities, double* forces) const;
+  // `forces` holds kForceRows * kBlockSize doubles for each block of the batch, 64-byte aligned. A pair of blocks
+  // counts as its first. Safe to call from several threads for different blocks.
+  BatchPower forces(int first, int last, const SlotArrays& coordinates, const SlotArrays& velocities,
+                    double* forces) const;
+  // Strains and energies of all elements: kStateRows * kBlockSize doubles for each block, 64-byte aligned.
+  void states(const SlotArrays& coordinates, const SlotArrays& velocities, double* states) const;
 
  private:
+  std::int32_t index_of(const SectionRows& rows);
+  void find_mates(std::span<const BatchElement> elements);
+
   int element_count_ = 0;
   std::vector<ElementBlock> blocks_;
-  std::vector<std::uint8_t> variable_;    // by block
-  std::vector<double> bending_rigidity_;  // EI by element, N m^2
+  std::vector<SectionRows> sections_;
+  std::vector<ElementBlock> mates_;  // of blocks with pairing elsewhere; lanes without a mate hold the element itself
 };
 
 }  // namespace netpocket

@@ -3,7 +3,9 @@
 
 #include "engine/ancf/element_kernel.h"
 
+#include "engine/ancf/element_slots.h"
 #include "engine/ancf/lanes.h"
+#include "engine/ancf/strain_pair.h"
 
 namespace netpocket::element_kernel::NETPOCKET_ISA_NAME {
 namespace {
@@ -13,96 +15,153 @@ using namespace lanes;
 // Guards 0/0 where a bending mode vanishes, as in mean_strain_element.h.
 constexpr double kVanishing = kBendingRoundOff * kBendingRoundOff;
 
-NETPOCKET_INLINE Lanes load_component(const double* array, const ElementBlock& block, int corner, int part) {
-  if (block.base[corner] >= 0) return load_rotated(array + block.base[corner], part, block.rotation[corner]);
-  return gather(array, block.slot[corner], part);
-}
+// Powers (BatchPower) of each lane.
+struct PowerLanes {
+  Lanes dissipated, fed;
+};
 
-NETPOCKET_INLINE Lanes3 load_slot(const SlotArrays& arrays, const ElementBlock& block, int corner, int part) {
-  return {load_component(arrays.x, block, corner, part), load_component(arrays.y, block, corner, part),
-          load_component(arrays.z, block, corner, part)};
-}
+// Chord, bending modes and axial strain of each lane.
+struct Kinematics {
+  Lanes3 e, s, a;
+  Lanes s_square, a_square, s_work, a_work;  // s.s, a.a, s.ds/dt, a.da/dt
+  Lanes strain, strain_rate;
+};
 
-// `row`: the first of the three force rows of a corner.
-NETPOCKET_INLINE void store3(double* out, int row, int part, const Lanes3& value) {
-  store(out + row * kBlock, part, value.x);
-  store(out + (row + 1) * kBlock, part, value.y);
-  store(out + (row + 2) * kBlock, part, value.z);
-}
-
-// Returns the dissipated power of each lane.
 template <bool kVariable>
-NETPOCKET_INLINE Lanes part_forces(const ElementBlock& block, int part, const SlotArrays& coordinates,
-                                   const SlotArrays& velocities, double* out) {
-  const Lanes length = load(block.length, part);
+NETPOCKET_INLINE Kinematics kinematics(const ElementBlock& block, int part, const SlotArrays& coordinates,
+                                       const SlotArrays& velocities) {
+  Kinematics k;
   const Lanes inverse_length = load(block.inverse_length, part);
-
   const Lanes3 r1 = load_slot(coordinates, block, 0, part), g1 = load_slot(coordinates, block, 1, part);
   const Lanes3 r2 = load_slot(coordinates, block, 2, part), g2 = load_slot(coordinates, block, 3, part);
-  const Lanes3 e = inverse_length * (r2 - r1);
-  const Lanes3 h1 = g1 - e, h2 = g2 - e;
-  const Lanes3 s = h1 - h2, a = h1 + h2;
+  k.e = inverse_length * (r2 - r1);
+  k.s = g1 - g2;
+  k.a = (g1 + g2) - broadcast(2.0) * k.e;
 
   const Lanes3 v1 = load_slot(velocities, block, 0, part), w1 = load_slot(velocities, block, 1, part);
   const Lanes3 v2 = load_slot(velocities, block, 2, part), w2 = load_slot(velocities, block, 3, part);
-  const Lanes3 e_rate = inverse_length * (v2 - v1);
+  Lanes3 e_rate = inverse_length * (v2 - v1);
+  // e = (r2 - r1)/L also changes because L does.
+  if constexpr (kVariable) e_rate = e_rate - load(block.length_rate, part) * k.e;
+  k.s_work = dot(k.s, w1 - w2);
+  k.a_work = dot(k.a, (w1 + w2) - broadcast(2.0) * e_rate);
 
-  // Derivatives of the mean strain: with respect to e at fixed g (the force on r2 is N times it), g1/L and g2/L.
-  const Lanes3 strain_e = e - broadcast(0.1) * a;
-  const Lanes3 strain_g1 = broadcast(1.0 / 30.0) * (broadcast(4.0) * h1 - h2);
-  const Lanes3 strain_g2 = broadcast(1.0 / 30.0) * (broadcast(4.0) * h2 - h1);
+  // In the modes s and a the bow 2 h1.h1 - h1.h2 + 2 h2.h2 is (5 s.s + 3 a.a)/4: few operations for strain and rate.
+  k.s_square = dot(k.s, k.s);
+  k.a_square = dot(k.a, k.a);
+  k.strain = broadcast(0.5) * (dot(k.e, k.e) - broadcast(1.0)) +
+             (broadcast(1.0 / 24) * k.s_square + broadcast(1.0 / 40) * k.a_square);
+  k.strain_rate = dot(k.e, e_rate) + (broadcast(1.0 / 12) * k.s_work + broadcast(1.0 / 20) * k.a_work);
+  return k;
+}
 
-  const Lanes bow = broadcast(2.0) * (dot(h1, h1) + dot(h2, h2)) - dot(h1, h2);
-  const Lanes strain = broadcast(0.5) * (dot(e, e) + broadcast(1.0 / 15.0) * bow - broadcast(1.0));
-  Lanes strain_rate = (dot(strain_e, e_rate) + dot(strain_g1, w1)) + dot(strain_g2, w2);
-  Lanes3 s_rate = w1 - w2, a_rate = (w1 + w2) - broadcast(2.0) * e_rate;
-  if constexpr (kVariable) {
-    // e = (r2 - r1)/L also changes because L does.
-    const Lanes length_rate = load(block.length_rate, part);
-    strain_rate = strain_rate - length_rate * dot(strain_e, e);
-    a_rate = a_rate + (broadcast(2.0) * length_rate) * e;
-  }
-
+// `strain`, `strain_rate`: what the tension follows, the element's own or the pair's.
+template <bool kVariable>
+NETPOCKET_INLINE void resist(const ElementBlock& block, const SectionRows& section, int part, const Kinematics& k,
+                             const Lanes& strain, const Lanes& strain_rate, double* out, PowerLanes& power) {
+  const Lanes length = load(block.length, part);
+  const Lanes inverse_length = load(block.inverse_length, part);
   const Lanes stiffness =
-      strain < broadcast(0.0) ? load(block.compression_stiffness, part) : load(block.axial_stiffness, part);
-  const Lanes viscous_tension = (stiffness * load(block.axial_damping, part)) * strain_rate;
+      strain < broadcast(0.0) ? load(section.compression_stiffness, part) : load(section.axial_stiffness, part);
+  const Lanes viscous_tension = (stiffness * load(section.axial_damping, part)) * strain_rate;
   const Lanes tension = stiffness * strain + viscous_tension;
 
-  const Lanes bending = load(block.bending_stiffness, part);
-  const Lanes damping = load(block.bending_damping, part);
+  const Lanes bending = load(section.bending_rigidity, part) * inverse_length;
+  const Lanes damping = load(section.bending_damping, part);
   // Relative rates of |s| and |a|: two quotients from one division, which is by far the slowest operation here.
-  const Lanes s_square = dot(s, s) + broadcast(kVanishing), a_square = dot(a, a) + broadcast(kVanishing);
-  const Lanes reciprocal = broadcast(1.0) / (s_square * a_square);
-  const Lanes s_work = dot(s, s_rate), a_work = dot(a, a_rate);
-  const Lanes s_growth = s_work * (a_square * reciprocal), a_growth = a_work * (s_square * reciprocal);
-  const Lanes3 moment_s = (bending * (broadcast(1.0) + damping * s_growth)) * s;
-  const Lanes3 moment_a = (broadcast(3.0) * (bending * (broadcast(1.0) + damping * a_growth))) * a;
+  const Lanes s_guarded = k.s_square + broadcast(kVanishing), a_guarded = k.a_square + broadcast(kVanishing);
+  const Lanes reciprocal = broadcast(1.0) / (s_guarded * a_guarded);
+  const Lanes s_growth = damping * (k.s_work * (a_guarded * reciprocal));
+  const Lanes a_growth = damping * (k.a_work * (s_guarded * reciprocal));
+  const Lanes moment_s = bending * (broadcast(1.0) + s_growth);
+  const Lanes moment_a = broadcast(3.0) * (bending * (broadcast(1.0) + a_growth));
 
+  // dU/ds and dU/da are multiples of s and a; e takes part in the strain and in a.
   const Lanes tension_length = tension * length;
-  const Lanes3 force2 = tension * strain_e - (broadcast(2.0) * inverse_length) * moment_a;
-  store3(out, 0, part, broadcast(-1.0) * force2);
-  store3(out, 3, part, tension_length * strain_g1 + (moment_s + moment_a));
-  store3(out, 6, part, tension_length * strain_g2 + (moment_a - moment_s));
+  const Lanes3 along_s = (broadcast(1.0 / 12) * tension_length + moment_s) * k.s;
+  const Lanes3 along_a = (broadcast(1.0 / 20) * tension_length + moment_a) * k.a;
+  const Lanes3 force1 = (broadcast(2.0) * inverse_length) * along_a - tension * k.e;
+  store3(out, 0, part, force1);
+  store3(out, 3, part, along_a + along_s);
+  store3(out, 6, part, along_a - along_s);
 
-  const Lanes bending_power = (bending * damping) * (s_growth * s_work + broadcast(3.0) * (a_growth * a_work));
-  return viscous_tension * strain_rate * length + bending_power;
+  const Lanes bending_power = bending * (s_growth * k.s_work + broadcast(3.0) * (a_growth * k.a_work));
+  power.dissipated = power.dissipated + (viscous_tension * k.strain_rate * length + bending_power);
+  // At fixed coordinates a longer element has a shorter e, whose conjugate is -L force1; and the energy per length is
+  // spread over, and the curvature taken from, another length.
+  if constexpr (kVariable) {
+    const Lanes axial = broadcast(0.5) * (stiffness * (strain * k.strain)) + dot(force1, k.e);
+    const Lanes curvature = broadcast(0.5) * (bending * (k.s_square + broadcast(3.0) * k.a_square));
+    power.fed = power.fed + load(block.length_rate, part) * (length * axial - curvature);
+  }
+}
+
+NETPOCKET_INLINE Lanes mixed(const Lanes& own, const Lanes& mate) {
+  return broadcast(kOwnShare) * own + broadcast(kMateShare) * mate;
+}
+
+// The block and, if it is the first of a pair, the next.
+template <bool kVariable>
+NETPOCKET_INLINE void block_forces(const BatchView& batch, const ElementBlock* block, int part,
+                                   const SlotArrays& coordinates, const SlotArrays& velocities, double* out,
+                                   PowerLanes& power) {
+  const SectionRows& section = batch.sections[block->section];
+  const Kinematics k = kinematics<kVariable>(*block, part, coordinates, velocities);
+  if (block->pairing == Pairing::first) {
+    const Kinematics next = kinematics<kVariable>(block[1], part, coordinates, velocities);
+    resist<kVariable>(*block, section, part, k, mixed(k.strain, next.strain), mixed(k.strain_rate, next.strain_rate),
+                      out, power);
+    resist<kVariable>(block[1], section, part, next, mixed(next.strain, k.strain),
+                      mixed(next.strain_rate, k.strain_rate), out + kForceRows * kBlock, power);
+  } else if (block->pairing == Pairing::elsewhere) {
+    const Kinematics mate = kinematics<kVariable>(batch.mates[block->mates], part, coordinates, velocities);
+    resist<kVariable>(*block, section, part, k, mixed(k.strain, mate.strain), mixed(k.strain_rate, mate.strain_rate),
+                      out, power);
+  } else {
+    resist<kVariable>(*block, section, part, k, k.strain, k.strain_rate, out, power);
+  }
 }
 
 }  // namespace
 
-double element_forces(const ElementBlock* blocks, const std::uint8_t* variable, int first, int last,
-                      const SlotArrays& coordinates, const SlotArrays& velocities, double* forces) {
-  Lanes power[kParts] = {};
+BatchPower element_forces(const BatchView& batch, int first, int last, const SlotArrays& coordinates,
+                          const SlotArrays& velocities, double* forces) {
+  PowerLanes power[kParts] = {};
   for (int i = first; i < last; ++i) {
+    const ElementBlock* block = batch.blocks + i;
+    if (block->pairing == Pairing::second) continue;
     double* out = forces + static_cast<std::ptrdiff_t>(i) * kForceRows * kBlock;
     for (int part = 0; part < kParts; ++part) {
-      power[part] = power[part] + (variable[i] ? part_forces<true>(blocks[i], part, coordinates, velocities, out)
-                                               : part_forces<false>(blocks[i], part, coordinates, velocities, out));
+      if (block->variable) {
+        block_forces<true>(batch, block, part, coordinates, velocities, out, power[part]);
+      } else {
+        block_forces<false>(batch, block, part, coordinates, velocities, out, power[part]);
+      }
     }
   }
-  double sum = 0;
-  for (int lane = 0; lane < kBlock; ++lane) sum += power[lane / kWidth][lane % kWidth];
+  BatchPower sum;
+  for (int lane = 0; lane < kBlock; ++lane) {
+    sum.dissipated += power[lane / kWidth].dissipated[lane % kWidth];
+    sum.fed += power[lane / kWidth].fed[lane % kWidth];
+  }
   return sum;
+}
+
+void element_states(const BatchView& batch, int first, int last, const SlotArrays& coordinates,
+                    const SlotArrays& velocities, double* states) {
+  for (int i = first; i < last; ++i) {
+    const ElementBlock& block = batch.blocks[i];
+    double* out = states + static_cast<std::ptrdiff_t>(i) * kStateRows * kBlock;
+    for (int part = 0; part < kParts; ++part) {
+      const Kinematics k = block.variable ? kinematics<true>(block, part, coordinates, velocities)
+                                          : kinematics<false>(block, part, coordinates, velocities);
+      const Lanes stiffness =
+          load(batch.sections[block.section].bending_rigidity, part) * load(block.inverse_length, part);
+      store(out, part, k.strain);
+      store(out + kBlock, part, k.strain_rate);
+      store(out + 2 * kBlock, part, broadcast(0.5) * (stiffness * (k.s_square + broadcast(3.0) * k.a_square)));
+    }
+  }
 }
 
 }  // namespace netpocket::element_kernel::NETPOCKET_ISA_NAME

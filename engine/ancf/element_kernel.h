@@ -5,20 +5,29 @@
 
 namespace netpocket::element_kernel {
 
-using Kernel = double (*)(const ElementBlock* blocks, const std::uint8_t* variable, int first, int last,
-                          const SlotArrays& coordinates, const SlotArrays& velocities, double* forces);
+// Fills rows of ElementBatch::states.
+using StateKernel = void (*)(const BatchView& batch, int first, int last, const SlotArrays& coordinates,
+                             const SlotArrays& velocities, double* states);
+using Kernel = BatchPower (*)(const BatchView& batch, int first, int last, const SlotArrays& coordinates,
+                              const SlotArrays& velocities, double* forces);
 
 namespace baseline {
-double element_forces(const ElementBlock*, const std::uint8_t*, int, int, const SlotArrays&, const SlotArrays&,
-                      double*);
-}
+void element_states(const BatchView& batch, int first, int last, const SlotArrays& coordinates,
+                    const SlotArrays& velocities, double* states);
+BatchPower element_forces(const BatchView& batch, int first, int last, const SlotArrays& coordinates,
+                          const SlotArrays& velocities, double* forces);
+}  // namespace baseline
 namespace avx2 {
-double element_forces(const ElementBlock*, const std::uint8_t*, int, int, const SlotArrays&, const SlotArrays&,
-                      double*);
-}
+void element_states(const BatchView& batch, int first, int last, const SlotArrays& coordinates,
+                    const SlotArrays& velocities, double* states);
+BatchPower element_forces(const BatchView& batch, int first, int last, const SlotArrays& coordinates,
+                          const SlotArrays& velocities, double* forces);
+}  // namespace avx2
 namespace avx512 {
-double element_forces(const ElementBlock*, const std::uint8_t*, int, int, const SlotArrays&, const SlotArrays&,
-                      double*);
-}
+void element_states(const BatchView& batch, int first, int last, const SlotArrays& coordinates,
+                    const SlotArrays& velocities, double* states);
+BatchPower element_forces(const BatchView& batch, int first, int last, const SlotArrays& coordinates,
+                          const SlotArrays& velocities, double* forces);
+}  // namespace avx512
 
 }  // namespace netpocket::element_kernel

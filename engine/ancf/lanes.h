@@ -39,11 +39,17 @@ NETPOCKET_INLINE Lanes broadcast(double value) { return Lanes{} + value; }
 // Part `part` of a block read in turned order: lane i of the block's eight receives block[(i + rotation) mod 8].
 NETPOCKET_INLINE Lanes load_rotated(const double* block, int part, int rotation) {
   if (rotation == 0) return load(block, part);
+#if defined(__AVX512F__)
+  using Order [[gnu::vector_size(sizeof(Lanes))]] = std::int64_t;
+  const Order order = (Order{0, 1, 2, 3, 4, 5, 6, 7} + rotation) & 7;
+  return __builtin_shuffle(load(block, part), order);
+#else
   const int first = (part * kWidth + rotation) % kBlock;
   if (first + kWidth <= kBlock) return *reinterpret_cast<const UnalignedLanes*>(block + first);
   Lanes value;
   for (int i = 0; i < kWidth; ++i) value[i] = block[(first + i) % kBlock];
   return value;
+#endif
 }
 
 NETPOCKET_INLINE Lanes gather(const double* base, const std::int32_t* index, int part) {

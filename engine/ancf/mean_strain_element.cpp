@@ -83,9 +83,14 @@ double MeanStrainElement::bending_energy(const ElementCoordinates& q) const {
 
 ElementCoordinates MeanStrainElement::internal_force(const ElementCoordinates& q,
                                                      const ElementCoordinates& velocity) const {
+  return internal_force(q, velocity, tension(q, velocity));
+}
+
+ElementCoordinates MeanStrainElement::internal_force(const ElementCoordinates& q, const ElementCoordinates& velocity,
+                                                     double tension) const {
   const Deformation d = deformation(q, span_.length);
   const Deformation gradient = strain_gradient(d);
-  const double axial = tension(q, velocity) * span_.length;
+  const double axial = tension * span_.length;
   const ModalForces damping = bending_damping(d, deformation_rate(d, velocity, span_), section_, span_.length);
   const double bending = section_.EI / span_.length;
   return nodal_forces(

@@ -34,6 +34,9 @@ class MeanStrainElement {
   double axial_energy(const ElementCoordinates& q) const;    // J
   double bending_energy(const ElementCoordinates& q) const;  // J
   ElementCoordinates internal_force(const ElementCoordinates& q, const ElementCoordinates& velocity) const;
+  // The same with an axial force (N) that is not the element's own: see strain_pair.h.
+  ElementCoordinates internal_force(const ElementCoordinates& q, const ElementCoordinates& velocity,
+                                    double tension) const;
   // Derivative of the elastic force, symmetric.
   ElementTangent tangent(const ElementCoordinates& q) const;
 

@@ -30,7 +30,8 @@ std::optional<std::vector<BlockContribution>> as_whole_blocks(std::span<const La
         return std::nullopt;
       }
     }
-    blocks.push_back({head.element_block, head.corner, static_cast<std::uint8_t>(rotation_of(head))});
+    blocks.push_back({slot_kernel::first_force_row(head.element_block, head.corner),
+                      static_cast<std::uint8_t>(rotation_of(head)), head.corner == Corner::position2});
   }
   return blocks;
 }
@@ -71,17 +72,13 @@ void Assembly::describe(slot_kernel::UpdateView& view) const {
 }
 
 Eigen::Vector3d Assembly::element_force(std::int32_t slot, const double* element_forces) const {
-  constexpr int kFirstRow[4] = {0, 3, 0, 6};
   const slot_kernel::SlotBlock& block = blocks_[slot / kBlockSize];
   const int slot_lane = slot % kBlockSize;
   Eigen::Vector3d force = Eigen::Vector3d::Zero();
-  const auto add = [&](std::int32_t element_block, Corner corner, int element_lane) {
-    const double* row =
-        element_forces +
-        (static_cast<std::ptrdiff_t>(element_block) * kForceRows + kFirstRow[static_cast<int>(corner)]) * kBlockSize +
-        element_lane;
+  const auto add = [&](std::int32_t first_row, bool reaction, int element_lane) {
+    const double* row = element_forces + static_cast<std::ptrdiff_t>(first_row) * kBlockSize + element_lane;
     const Eigen::Vector3d resisting(row[0], row[kBlockSize], row[2 * kBlockSize]);
-    if (corner == Corner::position2) {
+    if (reaction) {
       force += resisting;
     } else {
       force -= resisting;
@@ -90,10 +87,10 @@ Eigen::Vector3d Assembly::element_force(std::int32_t slot, const double* element
   for (std::int32_t i = block.first; i < block.first + block.count; ++i) {
     if (block.regular) {
       const BlockContribution& c = block_contributions_[i];
-      add(c.element_block, c.corner, (slot_lane + c.rotation) % kBlockSize);
+      add(c.first_row, c.reaction, (slot_lane + c.rotation) % kBlockSize);
     } else if (lane_contributions_[i].slot_lane == slot_lane) {
       const LaneContribution& c = lane_contributions_[i];
-      add(c.element_block, c.corner, c.element_lane);
+      add(slot_kernel::first_force_row(c.element_block, c.corner), c.corner == Corner::position2, c.element_lane);
     }
   }
   return force;

@@ -72,6 +72,8 @@ class CableSystem {
   // Replaces the law of winding of all ropes from now on.
   void set_rope_motion(const std::function<RopeMotion(double)>& motion);
   void set_friction(double coefficient);
+  // Wrinkling moment (N m) of the rods of a material. The change of their energy counts as work put in.
+  void set_wrinkling_moment(std::int32_t material, double moment);
 
   // Impulse (N s) that contact has given to a body since the start.
   const Eigen::Vector3d& contact_impulse(std::int32_t body) const;

@@ -1,12 +1,61 @@
 #include "engine/dynamics/consistent_mass.h"
 
-#include <Eigen/LU>
+#include <Eigen/Cholesky>
+#include <Eigen/OrderingMethods>
+#include <Eigen/SparseCholesky>
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 
+#include "engine/ancf/instruction_set.h"
 #include "engine/ancf/mass.h"
 
 namespace netpocket {
+namespace {
+
+factor_kernel::Kernels choose_kernels() {
+  switch (instruction_set()) {
+    case InstructionSet::avx512:
+      return {factor_kernel::avx512::forward, factor_kernel::avx512::backward};
+    case InstructionSet::avx2:
+      return {factor_kernel::avx2::forward, factor_kernel::avx2::backward};
+    case InstructionSet::baseline:
+      break;
+  }
+  return {factor_kernel::baseline::forward, factor_kernel::baseline::backward};
+}
+
+std::vector<std::uint8_t> free_slots(const Model& model, const SlotLayout& layout) {
+  std::vector<std::uint8_t> is_free(layout.size(), 0);
+  for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+    is_free[layout.position(static_cast<std::int32_t>(i))] = model.nodes[i].support == Support::free;
+  }
+  for (std::size_t i = 0; i < model.gradients.size(); ++i) {
+    is_free[layout.gradient(static_cast<std::int32_t>(i))] = model.gradients[i].support == Support::free;
+  }
+  return is_free;
+}
+
+// Consistent less lumped mass of all elements, between slots.
+std::vector<Eigen::Triplet<double>> mass_exchange(const Model& model, const SlotLayout& layout) {
+  std::vector<Eigen::Triplet<double>> entries;
+  const std::vector<std::uint8_t> lumped = lumped_elements(model);
+  for (std::size_t i = 0; i < model.elements.size(); ++i) {
+    if (lumped[i]) continue;
+    const ModelElement& element = model.elements[i];
+    const double mass_per_length = model.materials[element.material].section.mass_per_length;
+    Eigen::Matrix4d exchange = consistent_mass(mass_per_length, element.length);
+    exchange -= lumped_mass(mass_per_length, element.length).asDiagonal();
+    const std::array<std::int32_t, 4> slot = {layout.position(element.node1), layout.gradient(element.gradient1),
+                                              layout.position(element.node2), layout.gradient(element.gradient2)};
+    for (int a = 0; a < 4; ++a) {
+      for (int b = 0; b < 4; ++b) entries.emplace_back(slot[a], slot[b], exchange(a, b));
+    }
+  }
+  return entries;
+}
+
+}  // namespace
 
 std::vector<std::uint8_t> lumped_elements(const Model& model) {
   std::vector<std::uint8_t> lumped(model.elements.size(), 0);
@@ -23,82 +72,134 @@ std::vector<std::uint8_t> lumped_elements(const Model& model) {
 
 ConsistentMass::ConsistentMass(const Model& model, const SlotLayout& layout, std::span<const double> mass,
                                std::span<const std::int32_t> changing)
-    : row_of_slot_(layout.size(), -1), initial_mass_(mass.begin(), mass.end()) {
-  const auto add_row = [&](std::int32_t slot) {
-    row_of_slot_[slot] = static_cast<std::int32_t>(slot_of_row_.size());
-    slot_of_row_.push_back(slot);
-  };
-  for (std::size_t i = 0; i < model.nodes.size(); ++i) {
-    if (model.nodes[i].support == Support::free) add_row(layout.position(static_cast<std::int32_t>(i)));
-  }
-  for (std::size_t i = 0; i < model.gradients.size(); ++i) {
-    if (model.gradients[i].support == Support::free) add_row(layout.gradient(static_cast<std::int32_t>(i)));
-  }
+    : initial_mass_(mass.begin(), mass.end()) {
+  const std::vector<std::uint8_t> is_free = free_slots(model, layout);
+  std::vector<Eigen::Triplet<double>> entries = mass_exchange(model, layout);
+  std::vector<std::uint8_t> is_coupled(layout.size(), 0);
+  for (const auto& entry : entries) is_coupled[entry.row()] = 1;
 
-  std::vector<Eigen::Triplet<double>> entries;
-  const std::vector<std::uint8_t> lumped = lumped_elements(model);
-  for (std::size_t i = 0; i < model.elements.size(); ++i) {
-    if (lumped[i]) continue;
-    const ModelElement& element = model.elements[i];
-    const double mass_per_length = model.materials[element.material].section.mass_per_length;
-    Eigen::Matrix4d exchange = consistent_mass(mass_per_length, element.length);
-    exchange -= lumped_mass(mass_per_length, element.length).asDiagonal();
-    const std::array<std::int32_t, 4> slot = {layout.position(element.node1), layout.gradient(element.gradient1),
-                                              layout.position(element.node2), layout.gradient(element.gradient2)};
-    for (int a = 0; a < 4; ++a) {
-      for (int b = 0; b < 4; ++b) {
-        const std::int32_t row = row_of_slot_[slot[a]], column = row_of_slot_[slot[b]];
-        if (row >= 0 && column >= 0) entries.emplace_back(row, column, exchange(a, b));
-      }
+  std::vector<std::int32_t> row_of_slot(layout.size(), -1);
+  for (std::int32_t slot = 0; slot < layout.size(); ++slot) {
+    if (is_free[slot] == 0) {
+      held_slots_.push_back(slot);
+      continue;
     }
+    if (is_coupled[slot] == 0) {
+      if (mass[slot] <= 0) {
+        throw std::invalid_argument(
+            "the mass matrix is singular: every free node and gradient must belong to an element");
+      }
+      lone_slots_.push_back(slot);
+      continue;
+    }
+    row_of_slot[slot] = static_cast<std::int32_t>(slot_of_row_.size());
+    slot_of_row_.push_back(slot);
   }
   const auto rows = static_cast<std::int32_t>(slot_of_row_.size());
-  for (std::int32_t row = 0; row < rows; ++row) entries.emplace_back(row, row, mass[slot_of_row_[row]]);
-  matrix_.resize(rows, rows);
-  matrix_.setFromTriplets(entries.begin(), entries.end());
-  factor_.compute(matrix_);
-  if (factor_.info() != Eigen::Success) {
+  std::vector<Eigen::Triplet<double>> row_entries;
+  for (const auto& entry : entries) {
+    const std::int32_t row = row_of_slot[entry.row()], column = row_of_slot[entry.col()];
+    if (row >= 0 && column >= 0) row_entries.emplace_back(row, column, entry.value());
+  }
+  for (std::int32_t row = 0; row < rows; ++row) row_entries.emplace_back(row, row, mass[slot_of_row_[row]]);
+  Eigen::SparseMatrix<double> matrix(rows, rows);
+  matrix.setFromTriplets(row_entries.begin(), row_entries.end());
+  std::vector<std::uint8_t> changes(rows, 0);
+  for (const std::int32_t slot : changing) {
+    if (row_of_slot[slot] >= 0) changes[row_of_slot[slot]] = 1;
+  }
+  factor(matrix, changes);
+}
+
+// Keeps the factors of a matrix, and everything by row in the order of elimination: least fill first, rows that change
+// last.
+void ConsistentMass::factor(const Eigen::SparseMatrix<double>& matrix, const std::vector<std::uint8_t>& changes) {
+  Eigen::PermutationMatrix<Eigen::Dynamic> least_fill;  // its inverse says which row comes when
+  Eigen::AMDOrdering<int>()(matrix.selfadjointView<Eigen::Lower>(), least_fill);
+  std::vector<int> order(least_fill.indices().begin(), least_fill.indices().end());
+  const auto last = std::ranges::stable_partition(order, [&](int row) { return changes[row] == 0; });
+  const auto last_count = static_cast<Eigen::Index>(last.size());
+  Eigen::PermutationMatrix<Eigen::Dynamic> place(matrix.rows());
+  std::vector<std::int32_t> ordered;
+  for (const int row : order) {
+    place.indices()[row] = static_cast<int>(ordered.size());
+    ordered.push_back(slot_of_row_[row]);
+  }
+  slot_of_row_ = std::move(ordered);
+  rows_.resize(slot_of_row_.size());
+  matrix_ = matrix.twistedBy(place);
+
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int>> ldlt(matrix_);
+  if (ldlt.info() != Eigen::Success || (ldlt.vectorD().array() <= 0).any()) {
     throw std::invalid_argument("the mass matrix is singular: every free node and gradient must belong to an element");
   }
-
-  for (const std::int32_t slot : changing) {
-    if (row_of_slot_[slot] >= 0) changing_.push_back(slot);
-  }
-  Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(rows, static_cast<Eigen::Index>(changing_.size()));
-  for (std::size_t i = 0; i < changing_.size(); ++i) {
-    unit(row_of_slot_[changing_[i]], static_cast<Eigen::Index>(i)) = 1;
-  }
-  if (!changing_.empty()) unit_response_ = factor_.solve(unit);
-}
-
-Eigen::MatrixX3d ConsistentMass::solve(const Eigen::MatrixX3d& force, std::span<const double> mass) const {
-  Eigen::MatrixX3d load(slot_of_row_.size(), 3);
-  for (std::size_t row = 0; row < slot_of_row_.size(); ++row) load.row(row) = force.row(slot_of_row_[row]);
-  Eigen::MatrixX3d acceleration = factor_.solve(load);
-  if (!changing_.empty()) {
-    // (M0 + U D U^T)^-1 F = y - Z (I + D U^T Z)^-1 D U^T y, y = M0^-1 F, Z = M0^-1 U.
-    const auto count = static_cast<Eigen::Index>(changing_.size());
-    Eigen::MatrixXd system = Eigen::MatrixXd::Identity(count, count);
-    Eigen::MatrixX3d right(count, 3);
-    for (Eigen::Index i = 0; i < count; ++i) {
-      const std::int32_t slot = changing_[i];
-      const double change = mass[slot] - initial_mass_[slot];
-      system.row(i) += change * unit_response_.row(row_of_slot_[slot]);
-      right.row(i) = change * acceleration.row(row_of_slot_[slot]);
+  const Eigen::SparseMatrix<double> lower = ldlt.matrixL();
+  const Eigen::VectorXd diagonal = ldlt.vectorD();
+  const Eigen::Index columns = lower.cols() - last_count;
+  column_begin_.push_back(0);
+  for (Eigen::Index column = 0; column < columns; ++column) {
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(lower, column); entry; ++entry) {
+      if (entry.row() == column) continue;
+      row_.push_back(static_cast<std::int32_t>(entry.row()));
+      value_.push_back(entry.value());
     }
-    acceleration -= unit_response_ * system.partialPivLu().solve(right);
+    column_begin_.push_back(static_cast<std::int32_t>(row_.size()));
+    inverse_diagonal_.push_back(1 / diagonal[column]);
   }
-  Eigen::MatrixX3d result = Eigen::MatrixX3d::Zero(force.rows(), 3);
-  for (std::size_t row = 0; row < slot_of_row_.size(); ++row) result.row(slot_of_row_[row]) = acceleration.row(row);
-  return result;
+  const Eigen::MatrixXd corner =
+      Eigen::MatrixXd(lower.bottomRightCorner(last_count, last_count)).triangularView<Eigen::UnitLower>();
+  last_matrix_ = corner * diagonal.tail(last_count).asDiagonal() * corner.transpose();
 }
 
-double ConsistentMass::kinetic_energy(const Eigen::MatrixX3d& velocity, std::span<const double> mass) const {
+// The rows that were not eliminated, with their present masses.
+void ConsistentMass::solve_last(std::span<const double> mass) {
+  Eigen::MatrixXd present = last_matrix_;
+  Eigen::MatrixX3d right(present.rows(), 3);
+  const std::int32_t first = first_last();
+  for (Eigen::Index i = 0; i < present.rows(); ++i) {
+    const std::int32_t row = first + static_cast<std::int32_t>(i), slot = slot_of_row_[row];
+    present(i, i) += mass[slot] - initial_mass_[slot];
+    right.row(i) = Eigen::Map<const Eigen::RowVector3d>(rows_[row].value);
+  }
+  const Eigen::MatrixX3d solution = present.llt().solve(right);
+  for (Eigen::Index i = 0; i < present.rows(); ++i) {
+    Eigen::Map<Eigen::RowVector3d>(rows_[first + i].value) = solution.row(i);
+  }
+}
+
+void ConsistentMass::solve(SlotVectors& force, std::span<const double> mass) {
+  const SlotArrays f = force.arrays();
+  for (const std::int32_t slot : held_slots_) f.x[slot] = f.y[slot] = f.z[slot] = 0;
+  for (const std::int32_t slot : lone_slots_) {
+    const double inverse = 1 / mass[slot];
+    for (double* component : {f.x, f.y, f.z}) component[slot] *= inverse;
+  }
+  for (std::size_t row = 0; row < rows_.size(); ++row) {
+    const std::int32_t slot = slot_of_row_[row];
+    rows_[row] = {{f.x[slot], f.y[slot], f.z[slot], 0}};
+  }
+  static const factor_kernel::Kernels kernels = choose_kernels();
+  const factor_kernel::FactorView factors{first_last(), column_begin_.data(), row_.data(), value_.data(),
+                                          inverse_diagonal_.data()};
+  kernels.forward(factors, rows_.data());
+  if (last_matrix_.rows() > 0) solve_last(mass);
+  kernels.backward(factors, rows_.data());
+  for (std::size_t row = 0; row < rows_.size(); ++row) {
+    const std::int32_t slot = slot_of_row_[row];
+    f.x[slot] = rows_[row].value[0];
+    f.y[slot] = rows_[row].value[1];
+    f.z[slot] = rows_[row].value[2];
+  }
+}
+
+double ConsistentMass::kinetic_energy(const SlotVectors& velocity, std::span<const double> mass) const {
   Eigen::MatrixX3d v(slot_of_row_.size(), 3);
-  for (std::size_t row = 0; row < slot_of_row_.size(); ++row) v.row(row) = velocity.row(slot_of_row_[row]);
+  for (std::size_t row = 0; row < slot_of_row_.size(); ++row) v.row(row) = velocity.get(slot_of_row_[row]).transpose();
   double energy = 0.5 * v.cwiseProduct(matrix_ * v).sum();
-  for (const std::int32_t slot : changing_) {
-    energy += 0.5 * (mass[slot] - initial_mass_[slot]) * velocity.row(slot).squaredNorm();
+  for (const std::int32_t slot : lone_slots_) energy += 0.5 * mass[slot] * velocity.get(slot).squaredNorm();
+  for (std::size_t row = first_last(); row < slot_of_row_.size(); ++row) {
+    const std::int32_t slot = slot_of_row_[row];
+    energy += 0.5 * (mass[slot] - initial_mass_[slot]) * velocity.get(slot).squaredNorm();
   }
   return energy;
 }

@@ -23,18 +23,18 @@ class RopeDynamics {
   // Replaces the law of winding of all ropes from now on.
   void set_motion(const std::function<RopeMotion(double)>& motion);
 
-  // Sets lengths in `batch` and adds the ropes' lumped and wound-up mass at time `t` (s) to `mass` (by slot), which
-  // holds everything else's.
-  void update(double t, ElementBatch& batch, std::span<double> mass);
+  // Goes to time `t` (s). False when every rope moves as it did before: then lengths, masses and inertia are as they
+  // were.
+  bool set_time(double t);
+  // Sets lengths in `batch` and adds the ropes' lumped and wound-up mass to `mass` (by slot), which holds everything
+  // else's.
+  void update(ElementBatch& batch, std::span<double> mass);
 
   // Slots whose mass changes.
   const std::vector<std::int32_t>& massive_slots() const { return massive_slots_; }
 
   // Adds the forces of the material flow on nodes and gradients and of wound-in material on the end nodes.
   void add_flow_forces(const SlotVectors& coordinates, const SlotVectors& velocities, SlotVectors& applied) const;
-
-  // Power (W) that the retractors and the flow of material put into the system at this state.
-  double feeding_power(const SlotVectors& coordinates, const SlotVectors& velocities) const;
 
   std::int32_t rope_count() const { return static_cast<std::int32_t>(ropes_.size()); }
   double element_length(std::int32_t rope) const { return ropes_[rope].spans.front().length; }
@@ -47,18 +47,25 @@ class RopeDynamics {
     std::vector<std::int32_t> elements;
     std::vector<std::array<std::int32_t, 4>> slots;  // of each element
     std::vector<MaterialSpan> spans;                 // of each element, now
-    std::vector<SpanInertia> inertia;                // of each element, now
+    std::vector<SpanInertia> inertia;                // of each element, now; only a leader's
     CableSection section;
     std::function<RopeMotion(double)> motion;
     double share_at_start;
     double initial_length;
     RopeMotion now{};
+    std::size_t leader;  // index of the rope whose inertia this one shares
   };
 
   template <typename Function>
   void for_each_element(const Function& function) const;
+  void set_spans(Rope& rope);
+  void set_inertia();
+  void add_flow_forces(std::span<const Rope> alike, std::size_t index, const SlotVectors& coordinates,
+                       const SlotVectors& velocities, SlotVectors& applied) const;
 
   std::vector<Rope> ropes_;
+  bool started_ = false;     // a time has been set
+  bool flowing_ = false;     // material moves relative to the nodes of a rope
   std::size_t longest_ = 0;  // elements of the longest rope
   std::vector<std::int32_t> massive_slots_;
   std::vector<std::pair<std::int32_t, std::int32_t>> place_;  // by element: (rope, index), or (-1, -1)

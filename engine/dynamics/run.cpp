@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "engine/dynamics/simulation.h"
-#include "engine/recording/recorder.h"
+#include "engine/recording/background_recorder.h"
 #include "engine/recording/recording.h"
 #include "engine/scenario/closing_law.h"
 #include "engine/scenario/pocket_outline.h"
@@ -46,7 +46,7 @@ class FrameTimes {
 // Records a simulation from where it is, frame by frame.
 class RecordedRun {
  public:
-  RecordedRun(Simulation& simulation, Recorder& recorder, const RunCallback& after_frame)
+  RecordedRun(Simulation& simulation, BackgroundRecorder& recorder, const RunCallback& after_frame)
       : simulation_(simulation), recorder_(recorder), after_frame_(after_frame), recorded_time_(simulation.time()) {}
 
   // At the start of a run.
@@ -85,7 +85,7 @@ class RecordedRun {
   using Clock = std::chrono::steady_clock;
 
   Simulation& simulation_;
-  Recorder& recorder_;
+  BackgroundRecorder& recorder_;
   const RunCallback& after_frame_;
   Clock::time_point start_ = Clock::now();
   double next_checkpoint_ = 0;  // s
@@ -93,7 +93,7 @@ class RecordedRun {
 };
 
 // A storage failure must not hide how the run ended.
-void finish(Recorder& recorder, RunResult& result) {
+void finish(BackgroundRecorder& recorder, RunResult& result) {
   try {
     recorder.finish(result.status, result.statistics);
   } catch (const RecordingError& error) {
@@ -103,7 +103,7 @@ void finish(Recorder& recorder, RunResult& result) {
   }
 }
 
-RunResult record(Simulation& simulation, Recorder& recorder, bool from_start, const RunCallback& after_frame,
+RunResult record(Simulation& simulation, BackgroundRecorder& recorder, bool from_start, const RunCallback& after_frame,
                  const std::stop_token& stop) {
   RunResult result;
   try {
@@ -120,7 +120,7 @@ RunResult record(Simulation& simulation, Recorder& recorder, bool from_start, co
 }
 
 // Begins a recording with what another one holds up to a time (s).
-void copy_until(const Recording& source, double time, Recorder& recorder) {
+void copy_until(const Recording& source, double time, BackgroundRecorder& recorder) {
   const auto is_before = [time](double t) { return t <= time + kRounding; };
   for (std::size_t i = 0; i < source.frame_count() && is_before(source.times()[i]); ++i)
     recorder.write(source.frame(i));
@@ -149,7 +149,7 @@ RunOrigin run_origin(const Scenario& scenario, const RunOptions& options) {
 RunResult run_to_recording(const Scenario& scenario, const std::string& path, const RunOptions& options,
                            const RunCallback& after_frame, const std::stop_token& stop) {
   Simulation simulation(scenario, {options.threads});
-  Recorder recorder(path, run_origin(scenario, options), simulation.structure(), options.overwrite);
+  BackgroundRecorder recorder(path, run_origin(scenario, options), simulation.structure(), options.overwrite);
   return record(simulation, recorder, true, after_frame, stop);
 }
 
@@ -176,7 +176,7 @@ RunResult resume_recording(const std::string& source, const std::string& path, c
   origin.scenario_text = write_scenario_text(log.scenario());
   origin.command = options.command;
   origin.threads = options.threads;
-  Recorder recorder(path, origin, simulation.structure(), options.overwrite);
+  BackgroundRecorder recorder(path, origin, simulation.structure(), options.overwrite);
   recorder.hold_back(recorded.frame_count());
   copy_until(recorded, time, recorder);
   // The last of several strategies holds the end time.

@@ -14,6 +14,7 @@
 #include "engine/dynamics/cable_system.h"
 #include "engine/dynamics/channels.h"
 #include "engine/dynamics/towing.h"
+#include "engine/pocket/materials.h"
 #include "engine/pocket/pocket.h"
 #include "engine/scenario/closing_law.h"
 #include "engine/scenario/parameters.h"
@@ -51,7 +52,7 @@ double total_mass(const Model& model) {
 bool acts_at_once(std::string_view key) {
   if (key == "closing.elements") return false;
   return key.starts_with("closing.") || key.starts_with("towing.") || key == "contact.friction" ||
-         key == "spacecraft.station_keeping" || key == "output.end_time";
+         key == "rods.pressure" || key == "spacecraft.station_keeping" || key == "output.end_time";
 }
 
 // A closing law that takes over from a motion at time `now`: the new law plus what length and speed differ by, which
@@ -133,8 +134,10 @@ struct Simulation::Impl {
     if (length_class != rope_step_class) {
       rope_step_class = length_class;
       const std::int32_t element = pocket.model.ropes.front().elements.front();
-      rope_step_value =
-          stable_step_of_lumped_element(pocket.model.material_of(element).section, std::pow(kRatio, length_class));
+      const bool paired = std::ranges::all_of(pocket.model.ropes.front().elements,
+                                              [&](std::int32_t i) { return pocket.model.elements[i].mate >= 0; });
+      rope_step_value = stable_step_of_lumped_element(pocket.model.material_of(element).section,
+                                                      std::pow(kRatio, length_class), paired);
     }
     return rope_step_value;
   }
@@ -146,6 +149,10 @@ struct Simulation::Impl {
     scenario = next;
     drive.change(next.towing, next.spacecraft.station_keeping);
     system.set_friction(next.contact.friction);
+    for (const auto& [material, wall] :
+         {std::pair{pocket.lower_rods, next.rods.wall_lower}, std::pair{pocket.upper_rods, next.rods.wall_upper}}) {
+      system.set_wrinkling_moment(material, rod_material(next.rods, wall).wrinkling_moment);
+    }
     if (closing_changes) change_closing();
   }
 

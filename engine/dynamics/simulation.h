@@ -41,9 +41,9 @@ class Simulation {
   // The state now. Averages in its channels (contact force) run since the previous call.
   Snapshot snapshot();
 
-  // Lets the strategy of another scenario act from now on: closing, towing, station keeping, contact friction and the
-  // end time. The rope length goes over to the new law smoothly within half a second. Returns the keys of parameters
-  // that differ besides these: they need a new Simulation.
+  // Lets the strategy of another scenario act from now on: closing, towing, station keeping, contact friction, the
+  // rods' pressure and the end time. The rope length goes over to the new law smoothly within half a second. Returns
+  // the keys of parameters that differ besides these: they need a new Simulation.
   std::vector<std::string> change_strategy(const Scenario& scenario);
 
   // The complete state as numbers, and back: a Simulation of the same scenario and the same changes of strategy

@@ -9,22 +9,18 @@ namespace {
 
 using namespace lanes;
 
-// First force row of each corner; the force on position2 is minus that on position1.
-constexpr int kFirstRow[4] = {0, 3, 0, 6};
-
-NETPOCKET_INLINE const double* rows_of(const UpdateView& view, std::int32_t element_block, Corner corner) {
-  return view.element_forces +
-         (static_cast<std::ptrdiff_t>(element_block) * kForceRows + kFirstRow[static_cast<int>(corner)]) * kBlock;
+NETPOCKET_INLINE const double* row_at(const UpdateView& view, std::int32_t row) {
+  return view.element_forces + static_cast<std::ptrdiff_t>(row) * kBlock;
 }
 
 NETPOCKET_INLINE void add_regular(const UpdateView& view, const SlotBlock& block, int part, Lanes3& force) {
   const BlockContribution* contribution = view.block_contributions + block.first;
   for (std::int32_t i = 0; i < block.count; ++i, ++contribution) {
-    const double* rows = rows_of(view, contribution->element_block, contribution->corner);
+    const double* rows = row_at(view, contribution->first_row);
     const Lanes3 resisting = {load_rotated(rows, part, contribution->rotation),
                               load_rotated(rows + kBlock, part, contribution->rotation),
                               load_rotated(rows + 2 * kBlock, part, contribution->rotation)};
-    force = contribution->corner == Corner::position2 ? force + resisting : force - resisting;
+    force = contribution->reaction ? force + resisting : force - resisting;
   }
 }
 
@@ -32,7 +28,8 @@ NETPOCKET_INLINE void add_irregular(const UpdateView& view, const SlotBlock& blo
   const LaneContribution* contribution = view.lane_contributions + block.first;
   for (std::int32_t i = 0; i < block.count; ++i, ++contribution) {
     if (contribution->slot_lane / kWidth != part) continue;
-    const double* rows = rows_of(view, contribution->element_block, contribution->corner) + contribution->element_lane;
+    const double* rows =
+        row_at(view, first_force_row(contribution->element_block, contribution->corner)) + contribution->element_lane;
     const double sign = contribution->corner == Corner::position2 ? 1.0 : -1.0;
     const int lane = contribution->slot_lane % kWidth;
     force.x[lane] += sign * rows[0];

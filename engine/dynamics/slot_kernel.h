@@ -10,10 +10,16 @@ namespace netpocket::slot_kernel {
 // The force rows of a whole element block act on a whole slot block: lane i of the slots takes lane
 // (i + rotation) mod 8 of the elements.
 struct BlockContribution {
-  std::int32_t element_block;
-  Corner corner;
+  std::int32_t first_row;  // of the three force rows, counted through all element blocks
   std::uint8_t rotation;
+  bool reaction;  // position2, whose force is minus that on position1
 };
+
+// First of the three force rows of a corner of an element block, counted through all blocks.
+constexpr std::int32_t first_force_row(std::int32_t element_block, Corner corner) {
+  constexpr std::int32_t kRow[4] = {0, 3, 0, 6};  // the force on position2 is minus that on position1
+  return element_block * kForceRows + kRow[static_cast<int>(corner)];
+}
 
 // One element's force on one slot.
 struct LaneContribution {

@@ -1,12 +1,14 @@
 #include "engine/dynamics/stable_step.h"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "engine/ancf/full_element.h"
 #include "engine/ancf/mass.h"
 #include "engine/ancf/mean_strain_element.h"
+#include "engine/ancf/strain_pair.h"
 #include "engine/dynamics/consistent_mass.h"
 
 namespace netpocket {
@@ -20,19 +22,41 @@ struct ModeEnergy {
   double bending = 0;
 };
 
+// Derivatives of an element's strain with respect to the chord slope at fixed gradients, and to the gradients by
+// length.
+struct StrainGradient {
+  Eigen::Vector3d e, g1, g2;
+
+  StrainGradient(const BatchElement& element, const SlotVectors& q) {
+    const auto [s1, t1, s2, t2] = element.slot;
+    const Eigen::Vector3d chord = (q.get(s2) - q.get(s1)) / element.length;
+    const Eigen::Vector3d h1 = q.get(t1) - chord, h2 = q.get(t2) - chord;
+    e = chord - 0.1 * (h1 + h2);
+    g1 = (4 * h1 - h2) / 30;
+    g2 = (4 * h2 - h1) / 30;
+  }
+};
+
+double strain_change(const BatchElement& element, const SlotVectors& q, const Vectors& x) {
+  const auto [r1, g1, r2, g2] = element.slot;
+  const StrainGradient gradient(element, q);
+  return gradient.e.dot((x[r2] - x[r1]) / element.length) + gradient.g1.dot(x[g1]) + gradient.g2.dot(x[g2]);
+}
+
 // Adds (K + factor C) x of one element to `product`; K of the mean-strain element without tension.
-ModeEnergy add_element_product(const BatchElement& element, const SlotVectors& q, double factor, const Vectors& x,
-                               Vectors& product, ModeEnergy& damping) {
+ModeEnergy add_element_product(std::span<const BatchElement> elements, std::size_t index, const SlotVectors& q,
+                               double factor, const Vectors& x, Vectors& product, ModeEnergy& damping) {
+  const BatchElement& element = elements[index];
   const auto [r1, g1, r2, g2] = element.slot;
   const double inverse_length = 1 / element.length;
   const CableSection& section = element.section;
-  const Eigen::Vector3d e = (q.get(r2) - q.get(r1)) * inverse_length;
-  const Eigen::Vector3d h1 = q.get(g1) - e, h2 = q.get(g2) - e;
-  const Eigen::Vector3d strain_e = e - 0.1 * (h1 + h2);
-  const Eigen::Vector3d strain_g1 = (4 * h1 - h2) / 30, strain_g2 = (4 * h2 - h1) / 30;
+  const auto [strain_e, strain_g1, strain_g2] = StrainGradient(element, q);
 
   const Eigen::Vector3d chord = (x[r2] - x[r1]) * inverse_length;
-  const double strain = strain_e.dot(chord) + strain_g1.dot(x[g1]) + strain_g2.dot(x[g2]);
+  const double own = strain_e.dot(chord) + strain_g1.dot(x[g1]) + strain_g2.dot(x[g2]);
+  const double strain = element.mate < 0
+                            ? own
+                            : paired_strain(own, strain_change(elements[static_cast<std::size_t>(element.mate)], q, x));
   const double tension = section.EA * (1 + factor * section.axial_damping) * strain;
   const Eigen::Vector3d s = x[g1] - x[g2], a = x[g1] + x[g2] - 2 * chord;
   const double bending = section.EI * inverse_length * (1 + factor * section.bending_damping);
@@ -44,7 +68,7 @@ ModeEnergy add_element_product(const BatchElement& element, const SlotVectors& q
   product[g1] += tension * element.length * strain_g1 + moment_s + moment_a;
   product[g2] += tension * element.length * strain_g2 - moment_s + moment_a;
 
-  const ModeEnergy energy{section.EA * element.length * strain * strain,
+  const ModeEnergy energy{section.EA * element.length * strain * own,
                           section.EI * inverse_length * (s.squaredNorm() + 3 * a.squaredNorm())};
   damping.axial += section.axial_damping * energy.axial;
   damping.bending += section.bending_damping * energy.bending;
@@ -93,7 +117,7 @@ StableStep find_stable_step(const Model& model, const SlotLayout& layout, std::s
     const double factor = 2 / step;
     ModeEnergy damping;
     for (std::size_t i = 0; i < elements.size(); ++i) {
-      const ModeEnergy energy = add_element_product(elements[i], coordinates, factor, x, product, damping);
+      const ModeEnergy energy = add_element_product(elements, i, coordinates, factor, x, product, damping);
       potential += energy.axial + energy.bending;
       if (energy.axial + energy.bending > largest) {
         const std::string& thread = model.threads[model.elements[i].thread];
@@ -178,7 +202,11 @@ StableStep find_stable_step_of_full_elements(const Model& model, std::span<const
   return result;
 }
 
-double stable_step_of_lumped_element(const CableSection& section, double length) {
+double stable_step_of_lumped_element(const CableSection& single, double length, bool paired) {
+  CableSection section = single;
+  // Of a free pair, the mode that stretches both elements alike has half the square frequency of a single one, the
+  // other one kPairVariation times that of a single one.
+  if (paired) section.EA *= std::max(0.5, kPairVariation);
   ElementCoordinates straight = ElementCoordinates::Zero();
   straight(0, 1) = straight(0, 3) = 1;
   straight(0, 2) = length;

@@ -32,7 +32,7 @@ StableStep find_stable_step_of_full_elements(const Model& model, std::span<const
                                              const SlotVectors& coordinates);
 
 // Stable step (s) of a straight mean-strain element of `length` (m) by itself, with lumped mass: a bound for a chain of
-// equal ones, in which every node has two neighbours and twice the mass.
-double stable_step_of_lumped_element(const CableSection& section, double length);
+// equal ones, in which every node has two neighbours and twice the mass. `paired`: a chain of pairs (strain_pair.h).
+double stable_step_of_lumped_element(const CableSection& section, double length, bool paired);
 
 }  // namespace netpocket

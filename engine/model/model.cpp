@@ -22,6 +22,11 @@ std::int32_t Model::add_element(const ModelElement& element) {
   return static_cast<std::int32_t>(elements.size()) - 1;
 }
 
+void Model::pair(std::int32_t first, std::int32_t second) {
+  elements[first].mate = second;
+  elements[second].mate = first;
+}
+
 std::int32_t Model::add_thread(const std::string& name) {
   threads.push_back(name);
   return static_cast<std::int32_t>(threads.size()) - 1;

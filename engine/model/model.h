@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,8 @@ struct CableMaterial {
   double radius = 0;          // m, outer, for contact and drawing
   double youngs_modulus = 0;  // Pa, for the contact stiffness
   double poisson_ratio = 0;
+  // Inflated tube: moment beyond which its wall wrinkles (ancf/wrinkling.h), N m. None by default; a run can change it.
+  double wrinkling_moment = std::numeric_limits<double>::infinity();
 };
 
 struct ModelElement {
@@ -58,6 +61,10 @@ struct ModelElement {
   std::int32_t material;
   ElementKind kind = ElementKind::cable;
   std::int32_t thread = 0;
+  // The next or previous element of its thread with which it shares its axial strain (ancf/strain_pair.h): of the same
+  // length and material, whose compression is full, and with this one as its mate; -1: none. The full evaluation has
+  // none.
+  std::int32_t mate = -1;
 };
 
 struct ModelBody {
@@ -96,6 +103,8 @@ struct RopeMotion {
   double length;        // m, material between the retractors
   double rate;          // m/s
   double acceleration;  // m/s^2
+
+  bool operator==(const RopeMotion&) const = default;
 };
 
 // A chain of elements whose material is wound in (or let out) by retractors at its end nodes. Its inner nodes stay
@@ -122,6 +131,8 @@ struct Model {
   std::int32_t add_gradient(std::int32_t node, const Eigen::Vector3d& value);
   std::int32_t add_material(const CableMaterial& material);
   std::int32_t add_element(const ModelElement& element);
+  // Makes two elements each other's mate.
+  void pair(std::int32_t first, std::int32_t second);
   std::int32_t add_thread(const std::string& name);
   std::int32_t add_body(const ModelBody& body);
 

@@ -1,7 +1,10 @@
 #include "engine/pocket/materials.h"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
+
+#include "engine/ancf/wrinkling.h"
 
 namespace netpocket {
 namespace {
@@ -36,7 +39,9 @@ CableMaterial rod_material(const RodParameters& rods, double wall) {
                       .compression = 1},
           .radius = outer / 2,
           .youngs_modulus = rods.youngs_modulus,
-          .poisson_ratio = rods.poisson_ratio};
+          .poisson_ratio = rods.poisson_ratio,
+          .wrinkling_moment = rods.pressure > 0 ? wrinkling_moment(rods.pressure, (outer + inner) / 4)
+                                                : std::numeric_limits<double>::infinity()};
 }
 
 }  // namespace netpocket

@@ -29,14 +29,14 @@ class PocketBuilder {
       : scenario_(scenario),
         columns_(scenario.pocket.mesh_columns),
         rows_(scenario.pocket.mesh_rows),
-        sectors_(pocket_.model, scenario.pocket.rod_count) {}
+        sectors_(pocket_.model, scenario.pocket.rod_count, scenario.solver.pair_strains) {}
 
   Pocket build() {
     Model& model = pocket_.model;
     net_ = model.add_material(cord_material(scenario_.net));
     rope_ = model.add_material(cord_material(scenario_.rope));
-    lower_rod_ = model.add_material(rod_material(scenario_.rods, scenario_.rods.wall_lower));
-    upper_rod_ = model.add_material(rod_material(scenario_.rods, scenario_.rods.wall_upper));
+    pocket_.lower_rods = model.add_material(rod_material(scenario_.rods, scenario_.rods.wall_lower));
+    pocket_.upper_rods = model.add_material(rod_material(scenario_.rods, scenario_.rods.wall_upper));
     model.contact = {.restitution = scenario_.contact.restitution,
                      .friction = scenario_.contact.friction,
                      .friction_velocity = scenario_.contact.friction_velocity,
@@ -71,7 +71,7 @@ class PocketBuilder {
   int columns_, rows_;
   Pocket pocket_;
   SectorBuilder sectors_;
-  std::int32_t net_ = 0, rope_ = 0, lower_rod_ = 0, upper_rod_ = 0;
+  std::int32_t net_ = 0, rope_ = 0;
   std::vector<SectorIndex> lower_rows_;  // rod nodes from the kink row (0) downwards
   std::vector<SectorIndex> upper_rows_;  // rod nodes from the kink row (0) up to the tip
   SectorIndex root_;
@@ -145,8 +145,9 @@ void PocketBuilder::add_rods() {
   const double stub = sectors_.position(lower_rows_.back(), 0).y() - root.y();
   divisions.front() = std::max(1, static_cast<int>(std::lround(per_side * stub / row_height)));
   const auto name = [](int sector) { return fmt::format("rod {}", sector + 1); };
-  lower_ = sectors_.add_thread(knots, divisions, lower_rod_, ElementKind::rod, name);
-  upper_ = sectors_.add_thread(upper_rows_, std::vector<int>(rows_, per_side), upper_rod_, ElementKind::rod, name);
+  lower_ = sectors_.add_thread(knots, divisions, pocket_.lower_rods, ElementKind::rod, name);
+  upper_ =
+      sectors_.add_thread(upper_rows_, std::vector<int>(rows_, per_side), pocket_.upper_rods, ElementKind::rod, name);
 
   Model& model = pocket_.model;
   for (int sector = 0; sector < sectors_.sectors(); ++sector) {

@@ -20,6 +20,7 @@ struct Pocket {
   Structure structure;  // of the model, with the rods' roots, kinks and tips
   std::int32_t spacecraft = 0;
   std::int32_t target = 1;
+  std::int32_t lower_rods = 0, upper_rods = 0;  // materials of the rods below and above their kinks
 };
 
 // The scenario must pass check_scenario. Throws std::runtime_error, one sentence, when the target's mesh file has

@@ -67,6 +67,24 @@ double unstrained_length(const Eigen::Vector3d& chord, const Eigen::Vector3d& di
 
 }  // namespace
 
+// Pairs the elements of each side two by two, where they are equally long: not those on either side of a bow's flank.
+// Of an odd number the last remains single.
+void SectorBuilder::pair_within_sides(const SectorThread& thread, const std::vector<int>& divisions) {
+  std::size_t begin = 0;
+  for (const int division : divisions) {
+    for (int k = 0; k + 1 < division; k += 2) {
+      const std::size_t place = begin + static_cast<std::size_t>(k);
+      for (int sector = 0; sector < sectors_; ++sector) {
+        const std::int32_t first = element(thread.elements[place], sector);
+        const std::int32_t second = element(thread.elements[place + 1], sector);
+        const double length = model_.elements[first].length;
+        if (std::abs(model_.elements[second].length - length) < 1e-9 * length) model_.pair(first, second);
+      }
+    }
+    begin += static_cast<std::size_t>(division);
+  }
+}
+
 SectorThread SectorBuilder::add_thread(const std::vector<SectorIndex>& knots, const std::vector<int>& divisions,
                                        std::int32_t material, ElementKind kind,
                                        const std::function<std::string(int)>& name, const Bow& bow) {
@@ -101,6 +119,7 @@ SectorThread SectorBuilder::add_thread(const std::vector<SectorIndex>& knots, co
     }
     thread.elements.push_back(element_locals_++);
   }
+  if (pair_ && model_.materials[material].section.compression == 1) pair_within_sides(thread, divisions);
   return thread;
 }
 

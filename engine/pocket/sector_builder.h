@@ -35,8 +35,9 @@ struct Bow {
 
 class SectorBuilder {
  public:
-  // Adds to `model`, which must not have nodes, gradients or elements yet.
-  SectorBuilder(Model& model, int sectors) : model_(model), sectors_(sectors) {}
+  // `pair`: elements of a side share their axial strain two by two (ancf/strain_pair.h), where they are equally long
+  // and the material carries full compression. Adds to `model`, which must not have nodes, gradients or elements yet.
+  SectorBuilder(Model& model, int sectors, bool pair) : model_(model), sectors_(sectors), pair_(pair) {}
 
   int sectors() const { return sectors_; }
   // Horizontal unit vector from the axis towards rod `rod`; exact under quarter turns.
@@ -62,8 +63,11 @@ class SectorBuilder {
     return index.local * sectors_ + (index.next ? (sector + 1) % sectors_ : sector);
   }
 
+  void pair_within_sides(const SectorThread& thread, const std::vector<int>& divisions);
+
   Model& model_;
   int sectors_;
+  bool pair_;
   std::int32_t node_locals_ = 0, gradient_locals_ = 0, element_locals_ = 0;
 };
 

@@ -11,8 +11,6 @@ namespace netpocket {
 
 namespace {
 
-// Deflate packs at most 1032 bytes into one.
-constexpr double kLargestCompression = 1032;
 constexpr double kSmallFile = 1 << 16;
 constexpr std::size_t kLongestAttribute = 1 << 16;
 

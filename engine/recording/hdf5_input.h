@@ -10,6 +10,9 @@
 
 namespace netpocket {
 
+// Deflate packs at most 1032 bytes into one.
+inline constexpr double kLargestCompression = 1032;
+
 class InputFile {
  public:
   // Opens a finished file, one that is being written, or one whose writer was killed.

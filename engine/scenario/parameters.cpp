@@ -166,6 +166,7 @@ constexpr std::array kParameters = {
     parameter<kRods, &Rod::poisson_ratio>("rods.poisson_ratio", above(-1, 0.5), "", "Poisson's ratio, for the contact stiffness", kTable2),
     parameter<kRods, &Rod::axial_damping>("rods.axial_damping", within(0, 1), "s", "c of the axial force EA (eps + c epsdot)", kAssumption),
     parameter<kRods, &Rod::bending_damping>("rods.bending_damping", within(0, 10), "s", "c of the bending moment EI (kappa + c kappadot)", kAssumption),
+    parameter<kRods, &Rod::pressure>("rods.pressure", within(0, 1e8), "Pa", "pressure of the gas inside, beyond whose wrinkling moment pi p r^3/2 a rod softens; 0: does not wrinkle", "assumption; law: Comer & Levy 1963"),
     parameter<kRods, &Rod::hinge_stiffness>("rods.hinge_stiffness", within(0, 1e9), "N m/rad", "stiffness of the joint at the kink", kAssumption),
     parameter<kRods, &Rod::hinge_damping>("rods.hinge_damping", within(0, 1e6), "N m s/rad", "damping of the joint at the kink", kAssumption),
     parameter<kRods, &Rod::tip_mass>("rods.tip_mass", within(0, 1e4), "kg", "mass of the retractor at each rod tip", kAssumption),
@@ -215,6 +216,7 @@ constexpr std::array kParameters = {
     parameter<kTowing, &Towing::offset>("towing.offset", within(-100, 100), "m", "distance of the line of thrust from the axis, along +X", kAssumption),
 
     parameter<kSolver, &Solver::evaluation>("solver.evaluation", kNone, "", "mean_strain: one axial strain per element, lumped mass; full: Gauss points, consistent mass", "assumption; strain and curvature of full: Gerstmayr & Shabana 2006"),
+    parameter<kSolver, &Solver::pair_strains>("solver.pair_strains", kNone, "", "the elements of a mesh side share their axial strain two by two, which allows larger steps; mean_strain only, cords of full compression only", "assumption; ancf/strain_pair.h"),
     parameter<kSolver, &Solver::time_step>("solver.time_step", within(0, 0.1), "s", "integration step; 0: chosen from the stiffest element and contact", kAssumption),
     parameter<kSolver, &Solver::safety>("solver.safety", above(0, 1), "", "fraction of the stable step that is used", kAssumption),
     parameter<kSolver, &Solver::gravity>("solver.gravity", within(-100, 100), "m/s^2", "gravity", "assumption: none in orbit"),

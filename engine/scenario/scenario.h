@@ -47,6 +47,7 @@ struct RodParameters {
   double poisson_ratio = 0.3;
   double axial_damping = 1e-5;    // s
   double bending_damping = 1e-5;  // s
+  double pressure = 0;            // Pa, of the gas inside; 0: the wall does not wrinkle
   double hinge_stiffness = 48;    // N m/rad, of the kink
   double hinge_damping = 0.5;     // N m s/rad
   double tip_mass = 0.0;          // kg, retractor at each rod tip
@@ -109,7 +110,8 @@ struct TowingParameters {
 struct SolverParameters {
   Evaluation evaluation = Evaluation::mean_strain;
   double time_step = 0;                 // s; 0: chosen from elements and contact
-  double safety = 0.8;                  // fraction of the stable step that is used
+  double safety = 0.9;                  // fraction of the stable step that is used
+  bool pair_strains = true;             // elements of a side share their axial strain two by two
   Eigen::Vector3d gravity = {0, 0, 0};  // m/s^2
   double perturbation = 0;              // m, largest random displacement of free nodes at the start
   int seed = 1;                         // of the perturbation

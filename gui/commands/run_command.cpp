@@ -21,7 +21,6 @@ namespace {
 constexpr const char* kExamples = R"(Examples:
   netpocket run scenarios/case1.toml -o case1.h5
   netpocket run scenarios/case1.toml -o fast.h5 --set closing.duration=5 --until 15
-
   netpocket run --resume case1.h5
   netpocket run --resume case1.h5 --until 40
 
@@ -48,20 +47,34 @@ std::string progress_text(const RunProgress& progress) {
                      duration_text(seconds_left(fraction, progress.wall_seconds)));
 }
 
+ExitCode ending_code(RunReason reason) {
+  switch (reason) {
+    case RunReason::finished:
+      return ExitCode::ok;
+    case RunReason::stopped:
+      return ExitCode::interrupted;
+    case RunReason::diverged:
+      return ExitCode::diverged;
+    default:
+      return ExitCode::io;
+  }
+}
+
 // A run that did not finish says so on standard error.
 ExitCode report_ending(const RunStatus& status, const std::string& path) {
   switch (status.reason) {
     case RunReason::finished:
-      return ExitCode::ok;
+      break;
     case RunReason::stopped:
       fmt::print(stderr, "netpocket: interrupted at t = {:.4g} s; \"{}\" holds what was recorded\n", status.time, path);
-      return ExitCode::interrupted;
+      break;
     case RunReason::diverged:
       fmt::print(stderr, "netpocket: {}; \"{}\" holds what was recorded\n", status.message, path);
-      return ExitCode::diverged;
+      break;
     default:
       throw CommandError(ExitCode::io, status.message);
   }
+  return ending_code(status.reason);
 }
 
 // Runs `simulate` with a progress line, a log and an eye on Ctrl-C, then reports.
@@ -83,7 +96,7 @@ ExitCode run_watched(const RunChoice& choice, RunLog& log, const Simulate& simul
   }();
   log.note_end(result);
   if (!result.recorded) {
-    throw CommandError(ExitCode::interrupted,
+    throw CommandError(ending_code(result.status.reason),
                        fmt::format("{} at t = {:.4g} s, before it came further than \"{}\", which is as it was",
                                    result.status.message, result.status.time, choice.output));
   }

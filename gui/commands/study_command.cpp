@@ -35,8 +35,9 @@ scenario is not valid are listed with the reason. Ctrl-C keeps the points that a
 scenarios/studies/README.md describes the file.
 
 Examples:
-  netpocket study scenarios/studies/friction.toml -o friction --jobs 4
-  netpocket study scenarios/studies/friction.toml -o friction --jobs 4 --resume
+  netpocket study scenarios/studies/pocket_shape.toml -o shapes --jobs 4
+  netpocket study scenarios/studies/pocket_shape.toml -o shapes --jobs 4 --resume
+  netpocket study scenarios/studies/findings.toml -o findings --report findings.md
 
 )";
 
@@ -111,7 +112,7 @@ Action declare_study(CLI::App& app) {
       ->check(whole_number(1, 256))
       ->capture_default_str();
   app.add_flag("--resume", choice->resume, "go on with a study in the same folder: only what is missing is run");
-  app.add_option("--report", choice->report, "also write the findings as a report (Markdown), as scenarios/FINDINGS.md")
+  app.add_option("--report", choice->report, "also write the findings as a report (Markdown)")
       ->type_name("FILE.md");
   app.add_flag("--quiet", choice->quiet, "no progress and no last line");
   app.footer(kFooter + exit_code_help({ExitCode::bad_input, ExitCode::io, ExitCode::interrupted}));

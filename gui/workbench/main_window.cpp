@@ -151,6 +151,11 @@ void MainWindow::connect_panels() {
           [this](const Pick& pick) { plot_pick(session_->current() ? session_->current()->id : -1, pick); });
   connect(view_actions_, &ViewActions::moving_toggled, this, &MainWindow::set_moving);
   connect(view_actions_, &ViewActions::second_view_toggled, this, &MainWindow::show_second_view);
+  connect(view_actions_, &ViewActions::options_changed, this, [this](const SceneOptions& options) {
+    const Run* run = session_->current();
+    const bool shown = run != nullptr && viewport_->state().structure == run->structure;
+    if (shown) viewport_->set_history(history_.of(*run, options));
+  });
   connect(run_files_, &RunFileActions::problem, this, &MainWindow::show_notice);
   connect(run_files_, &RunFileActions::file_used, file_actions_, &FileActions::note_recent);
   connect(run_files_, &RunFileActions::close_window, this, &QWidget::close);
@@ -219,6 +224,7 @@ void MainWindow::show_preview(const PocketPreview& preview) {
   if (session_->is_running()) return;
   view_actions_->set_phases(std::nullopt);
   if (session_->current()) viewport_->set_hint(tr("Edited scenario, not simulated yet"));
+  viewport_->set_history(nullptr);
   viewport_->set_pocket(preview.structure, preview.snapshot);
   if (second_view_) second_view_->refresh();
 }
@@ -231,6 +237,7 @@ void MainWindow::show_frame(const std::shared_ptr<const Snapshot>& snapshot) {
   if (!viewport_->is_measuring()) viewport_->set_hint({});
   view_actions_->set_phases(phase_times(run->scenario));
   viewport_->set_pocket(run->structure, snapshot);
+  viewport_->set_history(history_.of(*run, view_actions_->options()));
   if (second_view_) second_view_->refresh();
   plots_->set_time(snapshot->time);
   status_->show_run(run, session_->shown_index());

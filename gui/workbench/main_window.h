@@ -10,6 +10,7 @@
 #include "gui/workbench/preferences.h"
 #include "gui/workbench/preview_builder.h"
 #include "gui/workbench/session/capture_session.h"
+#include "gui/workbench/view_history.h"
 #include "gui/workbench/viewport/picker.h"
 #include "gui/workbench/viewport/presenter.h"
 
@@ -126,6 +127,7 @@ class MainWindow : public QMainWindow {
   RunFileActions* run_files_ = nullptr;
   ExportTray* exports_ = nullptr;
   PresenterKind presenter_;
+  ViewHistory history_;  // of the first view
 };
 
 }  // namespace netpocket

@@ -88,7 +88,7 @@ void MainWindow::make_menus(const WindowOptions& options) {
   const auto folder = [this] {
     return document_->path().isEmpty() ? QDir::homePath() : QFileInfo(document_->path()).path();
   };
-  run_files_ = new RunFileActions(*session_, *exports_, options.program, folder, this);
+  run_files_ = new RunFileActions(*session_, *viewport_, *exports_, options.program, folder, this);
   run_files_->fill(*file);
   file->addSeparator();
   auto* quit = file->addAction(tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), this, &QWidget::close);

@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QDir>
+#include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
@@ -12,6 +13,7 @@
 
 #include "gui/workbench/export/export_dialog.h"
 #include "gui/workbench/export/export_tray.h"
+#include "render/scene/view_file.h"
 
 namespace netpocket {
 namespace {
@@ -29,9 +31,15 @@ QString unused_path(const QString& folder, const QString& name, QSet<QString>& t
 
 }  // namespace
 
-RunFileActions::RunFileActions(CaptureSession& session, ExportTray& tray, const QString& program,
+RunFileActions::RunFileActions(CaptureSession& session, Viewport& viewport, ExportTray& tray, const QString& program,
                                std::function<QString()> folder, QWidget* window)
-    : QObject(window), session_(session), tray_(tray), program_(program), folder_(std::move(folder)), window_(window) {
+    : QObject(window),
+      session_(session),
+      viewport_(viewport),
+      tray_(tray),
+      program_(program),
+      folder_(std::move(folder)),
+      window_(window) {
   connect(&session_.runs(), &RunLibrary::saved, this, &RunFileActions::run_saved);
   connect(&session_.runs(), &RunLibrary::failed, this, [this] { closing_ = false; });
 }
@@ -66,9 +74,22 @@ void RunFileActions::ask_for_export() {
     emit problem(tr("There is no run to export yet."));
     return;
   }
-  ExportDialog dialog(folder_(), run->name, window_);
-  if (dialog.exec() != QDialog::Accepted) return;
-  export_run([&dialog](const QString& recording) { return dialog.arguments(recording); }, dialog.label(),
+  const double time = viewport_.state().snapshot ? viewport_.state().snapshot->time : 0;
+  ExportDialog dialog(folder_(), run->name, {viewport_.view(), viewport_.options(), time}, window_);
+  if (dialog.exec() == QDialog::Accepted) export_as(dialog);
+}
+
+void RunFileActions::export_as(const ExportDialog& dialog) {
+  const QString view_file = views_.filePath(QString("view%1.toml").arg(view_count_++));
+  if (dialog.uses_view()) {
+    QFile file(view_file);
+    const QByteArray text = QByteArray::fromStdString(view_text(dialog.view()));
+    if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size()) {
+      emit problem(tr("Cannot write '%1': %2").arg(view_file, file.errorString()));
+      return;
+    }
+  }
+  export_run([&](const QString& recording) { return dialog.arguments(recording, view_file); }, dialog.label(),
              dialog.target());
 }
 

@@ -3,25 +3,30 @@
 // Thread contract: the user interface's thread.
 
 #include <QObject>
-#include <QSettings>
+#include <QTemporaryDir>
 #include <functional>
 
 #include "gui/workbench/session/capture_session.h"
+#include "gui/workbench/viewport/viewport.h"
 
 class QMenu;
 
 namespace netpocket {
 
+class ExportDialog;
 class ExportTray;
 
 class RunFileActions : public QObject {
   Q_OBJECT
  public:
   // `program`: makes the exports; `folder` gives where to propose to write. All must outlive the actions.
-  RunFileActions(CaptureSession& session, ExportTray& tray, const QString& program, std::function<QString()> folder,
-                 QWidget* window);
+  RunFileActions(CaptureSession& session, Viewport& viewport, ExportTray& tray, const QString& program,
+                 std::function<QString()> folder, QWidget* window);
 
   void fill(QMenu& menu);
+
+  // As chosen in a dialog that was accepted.
+  void export_as(const ExportDialog& dialog);
 
   // Exports the shown run as the program's command `arguments`, made for its recording.
   void export_run(const std::function<QStringList(const QString& recording)>& arguments, const QString& label,
@@ -43,10 +48,13 @@ class RunFileActions : public QObject {
   void run_saved();
 
   CaptureSession& session_;
+  Viewport& viewport_;
   ExportTray& tray_;
   QString program_;
   std::function<QString()> folder_;
   QWidget* window_;
+  QTemporaryDir views_;  // view files of exports
+  int view_count_ = 0;
   bool closing_ = false;  // as soon as no run is unsaved
 };
 

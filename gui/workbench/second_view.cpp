@@ -109,6 +109,7 @@ void SecondView::apply_options() {
   SceneOptions options = options_;
   if (const Run* run = session_.runs().find(runs_->currentData().toInt())) options.phases = phase_times(run->scenario);
   viewport_->set_options(options);
+  refresh();
 }
 
 void SecondView::showEvent(QShowEvent* event) {
@@ -123,16 +124,22 @@ void SecondView::refresh() {
   const Run* run = session_.runs().find(chosen);
   if (chosen == kSameRun || !first_.state().snapshot) {
     viewport_->set_pocket(first_.state().structure, first_.state().snapshot);
+    viewport_->set_history(first_.state().history);
   } else if (run && run->frame_count() > 0) {
     wanted_ = run->frame_at(first_.state().snapshot->time);
-    if (const auto frame = session_.runs().frame(chosen, wanted_)) viewport_->set_pocket(run->structure, frame);
+    if (const auto frame = session_.runs().frame(chosen, wanted_)) show_frame(*run, frame);
   }
 }
 
 void SecondView::frame_loaded(RunId id, std::size_t index) {
   if (!isVisible() || id != runs_->currentData().toInt() || index != wanted_) return;
   const Run* run = session_.runs().find(id);
-  if (const auto frame = session_.runs().frame(id, index)) viewport_->set_pocket(run->structure, frame);
+  if (const auto frame = session_.runs().frame(id, index)) show_frame(*run, frame);
+}
+
+void SecondView::show_frame(const Run& run, std::shared_ptr<const Snapshot> frame) {
+  viewport_->set_pocket(run.structure, std::move(frame));
+  viewport_->set_history(history_.of(run, options_));
 }
 
 }  // namespace netpocket

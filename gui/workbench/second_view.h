@@ -5,6 +5,7 @@
 #include <QWidget>
 
 #include "gui/workbench/session/capture_session.h"
+#include "gui/workbench/view_history.h"
 #include "gui/workbench/viewport/viewport.h"
 
 class QComboBox;
@@ -40,6 +41,7 @@ class SecondView : public QWidget {
   void list_runs();
   void run_chosen();
   void apply_options();
+  void show_frame(const Run& run, std::shared_ptr<const Snapshot> frame);
   void frame_loaded(RunId run, std::size_t index);
   void copy_camera(Viewport& from, Viewport& to);
 
@@ -50,6 +52,7 @@ class SecondView : public QWidget {
   QComboBox* cameras_;
   QToolButton* link_;
   SceneOptions options_;
+  ViewHistory history_;
   std::size_t wanted_ = 0;  // frame of a run that is being read
   bool copying_ = false;
 };

@@ -39,7 +39,7 @@ std::optional<CameraView> view_from(const QVariantList& list) {
 
 ViewActions::ViewActions(Viewport& viewport, QSettings& settings, QWidget* window)
     : QObject(window), viewport_(viewport), settings_(settings) {
-  options_.color_by = static_cast<ColorBy>(std::clamp(settings.value("view/color_by", 0).toInt(), 0, 3));
+  options_.color_by = static_cast<ColorBy>(std::clamp(settings.value("view/color_by", 0).toInt(), 0, 4));
   ground_ = static_cast<Ground>(std::clamp(settings.value("view/ground", 0).toInt(), 0, 2));
   options_.annotation_scale = 0.9;
   options_.fast_smoothing = true;
@@ -131,7 +131,7 @@ void ViewActions::add_colors(QMenu& menu, QToolBar& bar) {
   auto* choice = new QComboBox;
   choice->setToolTip(tr("What the colours of cords and rods show (C)"));
   choice->setAccessibleName(tr("Colours"));
-  choice->addItems({tr("Plain colours"), tr("Tension"), tr("Strain"), tr("Speed")});
+  choice->addItems({tr("Plain colours"), tr("Tension"), tr("Strain"), tr("Speed"), tr("Contact force")});
   choice->setCurrentIndex(static_cast<int>(options_.color_by));
   connect(choice, &QComboBox::currentIndexChanged, this, [this](int index) {
     options_.color_by = static_cast<ColorBy>(index);
@@ -140,7 +140,7 @@ void ViewActions::add_colors(QMenu& menu, QToolBar& bar) {
   });
   bar.addWidget(choice);
   auto* colors = menu.addMenu(tr("Colours"));
-  auto* next = add(*colors, tr("Next"), Qt::Key_C, tr("Colour by the next quantity"));
+  auto* next = add(*colors, tr("Next colours"), Qt::Key_C, tr("Colour by the next quantity"));
   connect(next, &QAction::triggered, choice,
           [choice] { choice->setCurrentIndex((choice->currentIndex() + 1) % choice->count()); });
   for (int i = 0; i < choice->count(); ++i) {
@@ -149,8 +149,21 @@ void ViewActions::add_colors(QMenu& menu, QToolBar& bar) {
   }
 }
 
-void ViewActions::add_switch(QMenu& menu, const QString& text, bool SceneOptions::*option, const QString& help) {
-  auto* action = add(menu, text, {}, help);
+void ViewActions::add_see_through(QMenu& menu) {
+  constexpr double kSeeThrough = 0.35;
+  auto* action = add(menu, tr("See through the target"), Qt::Key_O, tr("Let what is behind the target shine through"));
+  action->setCheckable(true);
+  connect(action, &QAction::toggled, this, [this](bool on) {
+    options_.target_opacity = on ? kSeeThrough : 1;
+    settings_.setValue("view/see_through", on);
+    apply();
+  });
+  action->setChecked(settings_.value("view/see_through", false).toBool());
+}
+
+void ViewActions::add_switch(QMenu& menu, const QString& text, const QKeySequence& shortcut,
+                             bool SceneOptions::*option, const QString& help) {
+  auto* action = add(menu, text, shortcut, help);
   const QString key = "view/" + text.toLower();
   options_.*option = settings_.value(key, options_.*option).toBool();
   action->setCheckable(true);
@@ -164,11 +177,19 @@ void ViewActions::add_switch(QMenu& menu, const QString& text, bool SceneOptions
 
 void ViewActions::add_display(QMenu& menu) {
   auto* display = menu.addMenu(tr("Show"));
-  add_switch(*display, tr("Legend"), &SceneOptions::legend, tr("Show what the colours mean"));
-  add_switch(*display, tr("Time"), &SceneOptions::time_label, tr("Show the time in the picture"));
-  add_switch(*display, tr("Scale bar"), &SceneOptions::scale_bar, tr("Show how long a metre is"));
-  add_switch(*display, tr("Axes"), &SceneOptions::axes, tr("Show the world's directions"));
-  add_switch(*display, tr("Smooth lines"), &SceneOptions::fast_smoothing, tr("Smooth edges; off: faster"));
+  add_switch(*display, tr("Contact forces"), Qt::Key_A, &SceneOptions::contact_arrows,
+             tr("Show the force of each contact as an arrow"));
+  add_switch(*display, tr("Trails"), Qt::Key_R, &SceneOptions::trails,
+             tr("Show where the centres of mass have been so far"));
+  add_switch(*display, tr("Initial shape"), Qt::Key_I, &SceneOptions::ghost,
+             tr("Show the pocket as it was at the start, too"));
+  add_see_through(*display);
+  display->addSeparator();
+  add_switch(*display, tr("Legend"), {}, &SceneOptions::legend, tr("Show what the colours mean"));
+  add_switch(*display, tr("Time"), {}, &SceneOptions::time_label, tr("Show the time in the picture"));
+  add_switch(*display, tr("Scale bar"), {}, &SceneOptions::scale_bar, tr("Show how long a metre is"));
+  add_switch(*display, tr("Axes"), {}, &SceneOptions::axes, tr("Show the world's directions"));
+  add_switch(*display, tr("Smooth lines"), {}, &SceneOptions::fast_smoothing, tr("Smooth edges; off: faster"));
   auto* ground = menu.addMenu(tr("Background"));
   auto* group = new QActionGroup(this);
   const std::array names = {tr("As the window"), tr("White"), tr("Space")};

@@ -1,25 +1,35 @@
-// Timings of the engine: element forces by evaluation, steps of the pocket by size, recorded frames, a whole capture.
-// Counters: "per_element" (seconds per element and evaluation or step), "x_real_time". Machines are noisy: compare rows
-// of one run, not runs.
+// Timings of the engine: element forces by evaluation, steps of the pocket by size and threads, contact, recording, the
+// whole of case 1. Machines are noisy: compare rows of one run, not runs. Options beside Google Benchmark's:
+// --results=FILE writes a table.
 
 #include <benchmark/benchmark.h>
+#include <time.h>
 #include <unistd.h>
 
+#include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <random>
+#include <string_view>
 
 #include "engine/ancf/element_batch.h"
 #include "engine/ancf/full_element.h"
 #include "engine/ancf/mean_strain_element.h"
+#include "engine/dynamics/run.h"
 #include "engine/dynamics/simulation.h"
 #include "engine/dynamics/slot_state.h"
 #include "engine/pocket/materials.h"
 #include "engine/recording/recorder.h"
+#include "tests/benchmarks/machine_peak.h"
+#include "tests/benchmarks/results_table.h"
 
 namespace netpocket {
 namespace {
 
 constexpr double kLength = 0.3;  // m, a typical net element
+// Additions, multiplications, divisions of one element in element_kernel.cpp, counted line by line: 76 in kinematics,
+// 56 in resist (and 6 more in a pair).
+constexpr double kOperationsPerElement = 132;
 
 CableSection net_section() { return cord_material(CordParameters{}).section; }
 
@@ -36,10 +46,21 @@ State random_state(std::mt19937& generator) {
   return state;
 }
 
+using benchmark::Counter;
+
+// `elements`: elements times steps of an iteration.
 void report(benchmark::State& state, double elements) {
-  state.counters["ns_per_element"] = benchmark::Counter(elements * static_cast<double>(state.iterations()) * 1e-9,
-                                                        benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  state.counters["per_element"] =
+      Counter(elements * static_cast<double>(state.iterations()), Counter::kIsRate | Counter::kInvert);
 }
+
+void machine_peak(benchmark::State& state) {
+  constexpr int kRounds = 10000;
+  double operations = 0;
+  for (auto _ : state) operations += run_peak(kRounds);
+  state.counters["flops"] = Counter(operations, Counter::kIsRate);
+}
+BENCHMARK(machine_peak)->Name("machine/peak");
 
 template <typename Element>
 void reference_element(benchmark::State& state) {
@@ -54,21 +75,23 @@ void reference_element(benchmark::State& state) {
 BENCHMARK(reference_element<MeanStrainElement>)->Name("element/reference_mean_strain");
 BENCHMARK(reference_element<FullElement>)->Name("element/reference_full");
 
+// Chains of elements side by side, as in a panel: neighbours share nodes.
 void element_batch(benchmark::State& state) {
   const auto count = static_cast<std::int32_t>(state.range(0));
+  const std::int32_t nodes = count + kBlockSize, blocks = count / kBlockSize;
   std::mt19937 generator(1);
   std::vector<BatchElement> elements;
-  SlotVectors coordinates(4 * count), velocities(4 * count);
-  for (std::int32_t block = 0; block < count / kBlockSize; ++block) {
+  SlotVectors coordinates(2 * nodes), velocities(2 * nodes);
+  for (std::int32_t block = 0; block <= blocks; ++block) {
     for (std::int32_t lane = 0; lane < kBlockSize; ++lane) {
       const State s = random_state(generator);
-      BatchElement element{{}, kLength, net_section()};
-      for (std::int32_t corner = 0; corner < 4; ++corner) {
-        element.slot[corner] = (4 * block + corner) * kBlockSize + lane;
-        coordinates.set(element.slot[corner], s.q.col(corner));
-        velocities.set(element.slot[corner], s.velocity.col(corner));
-      }
-      elements.push_back(element);
+      const std::int32_t node = block * kBlockSize + lane;
+      coordinates.set(node, s.q.col(0) + Eigen::Vector3d(block * kLength, 0, 0));
+      coordinates.set(nodes + node, s.q.col(1));
+      velocities.set(node, s.velocity.col(0));
+      velocities.set(nodes + node, s.velocity.col(1));
+      if (block == blocks) continue;
+      elements.push_back({{node, nodes + node, node + kBlockSize, nodes + node + kBlockSize}, kLength, net_section()});
     }
   }
   const ElementBatch batch(elements);
@@ -79,65 +102,136 @@ void element_batch(benchmark::State& state) {
     benchmark::ClobberMemory();
   }
   report(state, count);
+  state.counters["elements"] = count;
+  state.counters["flops"] =
+      Counter(kOperationsPerElement * count * static_cast<double>(state.iterations()), Counter::kIsRate);
 }
-BENCHMARK(element_batch)->Name("element/batch")->Arg(1 << 10)->Arg(1 << 13)->Arg(1 << 16)->Arg(1 << 19);
+BENCHMARK(element_batch)->Name("element/kernel")->Arg(1 << 10)->Arg(1 << 13)->Arg(1 << 16)->Arg(1 << 19);
 
-// Steps of the default pocket while it closes, before the first contact.
-void step(benchmark::State& state) {
+// Resident memory of this process, bytes.
+double resident_bytes() {
+  std::ifstream file("/proc/self/statm");
+  double total = 0, resident = 0;
+  file >> total >> resident;
+  return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+Scenario pocket_of(int meshes) {
   Scenario scenario;
-  scenario.pocket.mesh_columns = scenario.pocket.mesh_rows = static_cast<int>(state.range(0));
-  Simulation simulation(scenario, {.threads = static_cast<int>(state.range(1))});
-  simulation.advance(0.02);
-  const double interval = 1 / scenario.output.frame_rate;
-  double until = simulation.time();
+  scenario.pocket.mesh_columns = scenario.pocket.mesh_rows = meshes;
+  return scenario;
+}
+
+void time_steps(benchmark::State& state, const Scenario& scenario, int threads) {
+  const double before = resident_bytes();
+  Simulation simulation(scenario, {.threads = threads});
+  double until = 1 / scenario.output.frame_rate;
+  simulation.advance(until);
   const std::int64_t first = simulation.statistics().steps;
-  for (auto _ : state) simulation.advance(until += interval);
+  for (auto _ : state) simulation.advance(until += 1 / scenario.output.frame_rate);
   const double elements = static_cast<double>(simulation.structure().elements.size());
   const double steps = static_cast<double>(simulation.statistics().steps - first);
   report(state, elements * steps / static_cast<double>(state.iterations()));
   state.counters["elements"] = elements;
+  state.counters["bytes_per_element"] = (resident_bytes() - before) / elements;
+}
+
+// Steps of the default pocket while it closes, before the first contact. Frames are shorter in larger pockets so that
+// an iteration stays short.
+void step(benchmark::State& state) {
+  Scenario scenario = pocket_of(static_cast<int>(state.range(0)));
+  scenario.output.frame_rate *= static_cast<double>(state.range(0));
+  time_steps(state, scenario, static_cast<int>(state.range(1)));
 }
 BENCHMARK(step)
-    ->Name("step/mesh_threads")
-    ->Args({6, 1})
-    ->Args({24, 1})
-    ->Args({24, 2})
+    ->Name("step/meshes_threads")
+    ->ArgsProduct({{4, 14, 18, 46, 144}, {1, 2}})
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
+
+// The same with the target out of reach: what looking for contact costs.
+void step_without_target(benchmark::State& state) {
+  Scenario scenario = pocket_of(6);
+  scenario.target.position = {0, 1000, 0};
+  time_steps(state, scenario, 1);
+}
+void step_with_target(benchmark::State& state) { time_steps(state, pocket_of(6), 1); }
+BENCHMARK(step_with_target)->Name("contact/target_near")->Unit(benchmark::kMillisecond);
+BENCHMARK(step_without_target)->Name("contact/target_away")->Unit(benchmark::kMillisecond);
+
+void take_snapshot(benchmark::State& state) {
+  Simulation simulation(Scenario{});
+  simulation.advance(0.1);
+  for (auto _ : state) benchmark::DoNotOptimize(simulation.snapshot());
+}
+BENCHMARK(take_snapshot)->Name("recording/snapshot")->Unit(benchmark::kMillisecond);
+
+std::filesystem::path temporary_recording() {
+  return std::filesystem::temp_directory_path() / ("netpocket_benchmark_" + std::to_string(getpid()) + ".h5");
+}
 
 void record_frame(benchmark::State& state) {
   Simulation simulation(Scenario{});
   simulation.advance(0.1);
   const Snapshot snapshot = simulation.snapshot();
-  const auto path =
-      std::filesystem::temp_directory_path() / ("netpocket_benchmark_" + std::to_string(getpid()) + ".h5");
+  const auto path = temporary_recording();
   Recorder recorder(path, {}, simulation.structure(), true);
   for (auto _ : state) recorder.write(snapshot);
   recorder.finish({}, {});
   std::filesystem::remove(path);
 }
-BENCHMARK(record_frame)->Name("recording/frame")->Unit(benchmark::kMillisecond);
+BENCHMARK(record_frame)->Name("recording/write")->Unit(benchmark::kMillisecond);
 
+double thread_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+// Case 1 with a recording of 100 frames per simulated second. Counts the stepping thread's processor time: on a quiet
+// machine with a second processor for the writer that is the time one waits.
 void capture(benchmark::State& state) {
   for (auto _ : state) {
     Scenario scenario;
     scenario.pocket.elements_per_side = static_cast<int>(state.range(0));
-    Simulation simulation(scenario);
-    simulation.advance(scenario.output.end_time);
-    const RunStatistics statistics = simulation.statistics();
-    state.counters["x_real_time"] = statistics.simulated_seconds / statistics.wall_seconds;
+    scenario.output.frame_rate = 100;
+    const auto path = temporary_recording();
+    const double start = thread_seconds();
+    const RunResult result = run_to_recording(scenario, path, {.overwrite = true});
+    const double seconds = thread_seconds() - start;
+    std::filesystem::remove(path);
+    const RunStatistics& statistics = result.statistics;
+    state.counters["x_real_time"] = statistics.simulated_seconds / seconds;
     state.counters["elements"] = statistics.elements;
-    state.counters["per_element"] =
-        statistics.wall_seconds / (static_cast<double>(statistics.steps) * statistics.elements);
+    state.counters["per_element"] = seconds / (static_cast<double>(statistics.steps) * statistics.elements);
   }
 }
-BENCHMARK(capture)
-    ->Name("case1/elements_per_side")
-    ->Arg(1)
-    ->Arg(2)
-    ->Iterations(1)
-    ->UseRealTime()
-    ->Unit(benchmark::kSecond);
+BENCHMARK(capture)->Name("case1/elements_per_side")->Arg(1)->Arg(2)->Iterations(1)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace netpocket
+
+int main(int count, char** arguments) {
+  constexpr std::string_view kResults = "--results=";
+  std::string results;
+  int kept = 0;
+  for (int i = 0; i < count; ++i) {
+    const std::string_view argument = arguments[i];
+    if (argument.starts_with(kResults)) {
+      results = argument.substr(kResults.size());
+    } else {
+      arguments[kept++] = arguments[i];
+    }
+  }
+  benchmark::Initialize(&kept, arguments);
+  if (benchmark::ReportUnrecognizedArguments(kept, arguments)) return 2;
+  netpocket::ResultsTable table;
+  benchmark::RunSpecifiedBenchmarks(&table);
+  if (results.empty()) return 0;
+  try {
+    table.write(results);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 5;
+  }
+}

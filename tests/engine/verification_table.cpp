@@ -24,8 +24,8 @@ constexpr std::string_view kHeader =
     "otherwise\n"
     "the tests compare what they measure with it. SI units. \"error\" is the difference to the reference, relative "
     "where\n"
-    "the tolerance is given in percent, and the measured value itself where the reference is 0. The element formulas\n"
-    "have tables of their own in the output of `test_ancf`, `test_contact` and `test_bodies`.\n"
+    "the tolerance is given in percent, and the measured value itself where the reference is 0. Tests whose name ends\n"
+    "in `Study` take minutes and run only with NETPOCKET_STUDY=1.\n"
     "\n"
     "| test | quantity | reference | measured | error | tolerance | source and reason |\n"
     "| --- | --- | --- | --- | --- | --- | --- |\n";

@@ -25,7 +25,12 @@ struct VerificationRow {
 };
 
 class VerificationTest : public testing::Test {
- protected:
+ public:
+  // The running test, for checks in helper functions.
+  static VerificationTest& current() { return *current_; }
+
+  VerificationTest() { current_ = this; }
+
   // |measured - reference| <= tolerance. `quantity` with its unit; `source` of the reference, reason of the tolerance.
   void expect_value(const std::string& quantity, double measured, double reference, double tolerance,
                     const std::string& source);
@@ -38,6 +43,8 @@ class VerificationTest : public testing::Test {
   void TearDown() override;
 
  private:
+  static inline VerificationTest* current_ = nullptr;
+
   struct Result {
     VerificationRow row;
     double measured;

@@ -101,7 +101,7 @@ TEST(Robustness, AFullDiskEndsTheRunWithTheReason) {
   getrlimit(RLIMIT_FSIZE, &before);
   const rlimit limit = {44u << 20, before.rlim_max};
   setrlimit(RLIMIT_FSIZE, &limit);
-  auto arguments = run_arguments(path, "1000");
+  auto arguments = run_arguments(path, "100");
   arguments.insert(arguments.end(), {"--set", "output.frame_rate=5000"});
   const auto result = run_program(arguments);
   setrlimit(RLIMIT_FSIZE, &before);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -119,7 +120,9 @@ TEST(RandomScenariosHardening, EndWellOrSayWhy) {
       std::ofstream(kept) << write_scenario_text(scenario);
       ADD_FAILURE() << "scenario " << tally.made << " (" << kept << "): " << problem;
     }
-    if (tally.made % 10 == 0 || tally.made == trials) EXPECT_TRUE(record_tally(tally));
+    if (tally.made % 10 == 0 || tally.made == trials) {
+      EXPECT_TRUE(record_tally(tally));
+    }
   }
   std::filesystem::remove_all(folder);
 }

@@ -34,6 +34,7 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, std::size_t
   threads_->setRange(1, most_threads());
   presenter_->addItems({tr("Automatic"), tr("OpenGL in the window"), tr("Images drawn in the background")});
   auto* form = new QFormLayout;
+  form->setVerticalSpacing(5);
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   form->addRow(tr("&Frames in memory:"), cache_);
   form->addRow(QString(),

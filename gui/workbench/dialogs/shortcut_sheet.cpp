@@ -92,7 +92,9 @@ ShortcutSheet::ShortcutSheet(const QMenuBar& menus, QWidget* parent) : QDialog(p
   QVBoxLayout* column = nullptr;
   std::size_t used = 0, count = 0;
   for (const Section& section : all) {
-    if (column == nullptr || (used * kColumns >= count * lines && count < kColumns)) {
+    // A section goes where most of it fits.
+    const std::size_t middle = used + section.lines.size() / 2;
+    if (column == nullptr || (middle * kColumns >= count * lines && count < kColumns)) {
       column = new QVBoxLayout;
       columns->addLayout(column, 1);
       ++count;
@@ -110,7 +112,7 @@ ShortcutSheet::ShortcutSheet(const QMenuBar& menus, QWidget* parent) : QDialog(p
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(scroll);
   layout->addWidget(buttons);
-  resize(980, 640);
+  resize(1000, 700);
 }
 
 }  // namespace netpocket

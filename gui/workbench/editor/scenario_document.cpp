@@ -98,8 +98,17 @@ void ScenarioDocument::push(StatePointer next, const QString& text) {
   undo_stack_.push(new EditCommand(*this, state_, std::move(next), interaction, text));
 }
 
+// States in the undo history may be from before the document had its present file.
+ScenarioDocument::StatePointer ScenarioDocument::with_folder(const StatePointer& state) const {
+  const std::string folder = path_.isEmpty() ? std::string() : folder_of(path_.toStdString());
+  if (state->scenario.files.folder == folder) return state;
+  State moved = *state;
+  moved.scenario.files.folder = folder;
+  return std::make_shared<const State>(std::move(moved));
+}
+
 void ScenarioDocument::apply(const StatePointer& state) {
-  const StatePointer before = std::exchange(state_, state);
+  const StatePointer before = std::exchange(state_, with_folder(state));
   const QStringList keys = before ? differing_keys(before->scenario, state_->scenario) : QStringList();
   if (!before || !keys.isEmpty()) {
     diagnostics_ = check_scenario(state_->scenario);
@@ -122,11 +131,10 @@ void ScenarioDocument::reset(StatePointer state, const QString& path, StatePoint
   recovery_.remove();
   autosaved_ = nullptr;
   set_saved(std::move(saved));
+  const bool moved = path != path_;
+  path_ = path;
   apply(state);
-  if (path != path_) {
-    path_ = path;
-    emit path_changed(path_);
-  }
+  if (moved) emit path_changed(path_);
   if (was_modified != is_modified()) emit modified_changed(is_modified());
 }
 
@@ -166,6 +174,12 @@ std::optional<QString> ScenarioDocument::save_as(const QString& path) {
   if (path != path_) {
     path_ = path;
     emit path_changed(path_);
+    if (state_->scenario.target.shape == TargetShape::mesh) {  // found there, or no longer
+      state_ = with_folder(state_);
+      diagnostics_ = check_scenario(state_->scenario);
+      emit changed({"target.mesh_file"});
+      emit diagnostics_changed();
+    }
   }
   if (undo_stack_.isClean() && was_modified) emit modified_changed(false);
   undo_stack_.setClean();

@@ -26,6 +26,8 @@ constexpr std::array kKinds = {
     KindEntry{QT_TRANSLATE_NOOP("ExportDialog", "Pictures (PNG)"), "_frames", true, true},
     KindEntry{QT_TRANSLATE_NOOP("ExportDialog", "Video (MP4)"), ".mp4", true, true},
     KindEntry{QT_TRANSLATE_NOOP("ExportDialog", "Contact sheet (PNG)"), "_sheet.png", true, false},
+    KindEntry{QT_TRANSLATE_NOOP("ExportDialog", "This moment in three dimensions (glTF)"), ".glb", false, false},
+    KindEntry{QT_TRANSLATE_NOOP("ExportDialog", "Report (HTML)"), ".html", false, false},
     KindEntry{QT_TRANSLATE_NOOP("ExportDialog", "Figures of the paper"), "_figures", false, false},
     KindEntry{QT_TRANSLATE_NOOP("ExportDialog", "Channels (CSV)"), "_csv", false, false},
     KindEntry{QT_TRANSLATE_NOOP("ExportDialog", "ParaView series"), "_paraview", false, false},
@@ -39,16 +41,18 @@ QComboBox* make_choice(const std::initializer_list<std::pair<QString, QString>>&
 
 }  // namespace
 
-ExportDialog::ExportDialog(const QString& folder, const QString& name, QWidget* parent)
+ExportDialog::ExportDialog(const QString& folder, const QString& name, const ShownView& shown, QWidget* parent)
     : QDialog(parent),
       folder_(folder.isEmpty() ? QDir::homePath() : folder),
       name_(QString(name).replace(QRegularExpression("[^A-Za-z0-9._-]+"), "_")),
+      shown_(shown),
       kind_(new QComboBox),
       target_(new QLineEdit),
       form_(new QFormLayout(this)),
       size_(make_choice({{"1280 × 720", "1280x720"}, {"1920 × 1080", "1920x1080"}, {"3840 × 2160", "3840x2160"}})),
       rate_(new QDoubleSpinBox),
-      camera_(make_choice({{tr("Oblique"), "iso"},
+      camera_(make_choice({{tr("As in the view"), ""},
+                           {tr("Oblique"), "iso"},
                            {tr("Side"), "side"},
                            {tr("Front"), "front"},
                            {tr("Mouth"), "mouth"},
@@ -56,12 +60,15 @@ ExportDialog::ExportDialog(const QString& folder, const QString& name, QWidget* 
       colors_(make_choice({{tr("Plain colours"), "none"},
                            {tr("Tension"), "tension"},
                            {tr("Strain"), "strain"},
-                           {tr("Speed"), "speed"}})),
+                           {tr("Speed"), "speed"},
+                           {tr("Contact force"), "contact"}})),
       background_(make_choice({{tr("White"), "white"}, {tr("Space"), "space"}})),
       format_(make_choice({{"PDF", "pdf"}, {"SVG", "svg"}, {"PNG", "png"}})),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel)) {
   setWindowTitle(tr("Export"));
   for (const KindEntry& entry : kKinds) kind_->addItem(tr(entry.name));
+  colors_->setCurrentIndex(static_cast<int>(shown_.display.color_by));
+  background_->setCurrentIndex(shown_.display.background == Background::space ? 1 : 0);
   rate_->setRange(0.1, 1000);
   rate_->setValue(25);
   rate_->setDecimals(1);
@@ -121,28 +128,48 @@ void ExportDialog::kind_changed() {
 }
 
 void ExportDialog::browse() {
-  const bool is_file = kind() == ExportKind::video || kind() == ExportKind::sheet;
+  const bool is_file = kind() == ExportKind::video || kind() == ExportKind::sheet || kind() == ExportKind::moment ||
+                       kind() == ExportKind::report;
   const QString path = is_file ? QFileDialog::getSaveFileName(this, tr("Export to"), target())
                                : QFileDialog::getExistingDirectory(this, tr("Export to"), folder_);
   if (!path.isEmpty()) set_target(path);
 }
 
-QStringList ExportDialog::arguments(const QString& recording) const {
+bool ExportDialog::uses_view() const {
+  return kKinds[static_cast<std::size_t>(kind_->currentIndex())].draws && camera_->currentData().toString().isEmpty();
+}
+
+QStringList ExportDialog::look_arguments(const QString& view_file) const {
   const auto value = [](const QComboBox* choice) { return choice->currentData().toString(); };
+  QStringList arguments{"--color-by", value(colors_), "--background", value(background_)};
+  arguments << (uses_view() ? QStringList{"--view", view_file} : QStringList{"--camera", value(camera_)});
+  const DisplayOptions& display = shown_.display;
+  if (display.contact_arrows) arguments << "--arrows";
+  if (display.trails) arguments << "--trails";
+  if (display.ghost) arguments << "--ghost";
+  if (display.target_opacity < 1) arguments << "--target-opacity" << QString::number(display.target_opacity);
+  return arguments;
+}
+
+QStringList ExportDialog::arguments(const QString& recording, const QString& view_file) const {
   switch (kind()) {
     case ExportKind::figures:
-      return {"plot", recording, "-o", target(), "--format", value(format_)};
+      return {"plot", recording, "-o", target(), "--format", format_->currentData().toString()};
     case ExportKind::csv:
       return {"export", recording, "--csv", target()};
     case ExportKind::paraview:
       return {"export", recording, "--vtp", target()};
+    case ExportKind::report:
+      return {"report", recording, "-o", target()};
+    case ExportKind::moment:
+      return {"render", recording, "--times", QString::number(shown_.time, 'g', 12), "--gltf", target()};
     default:
       break;
   }
-  QStringList arguments{"render",     recording,      "--camera",     value(camera_),
-                        "--color-by", value(colors_), "--background", value(background_)};
+  QStringList arguments{"render", recording};
+  arguments << look_arguments(view_file);
   if (kind() == ExportKind::sheet) return arguments << "--sheet" << target();
-  arguments << "--size" << value(size_) << "--fps" << QString::number(rate_->value());
+  arguments << "--size" << size_->currentData().toString() << "--fps" << QString::number(rate_->value());
   return arguments << (kind() == ExportKind::video ? "--video" : "-o") << target();
 }
 

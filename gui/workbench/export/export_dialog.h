@@ -4,6 +4,9 @@
 #include <QDialog>
 #include <QStringList>
 
+#include "render/scene/camera.h"
+#include "render/scene/scene_options.h"
+
 class QComboBox;
 class QDialogButtonBox;
 class QDoubleSpinBox;
@@ -12,13 +15,20 @@ class QLineEdit;
 
 namespace netpocket {
 
-enum class ExportKind { pictures, video, sheet, figures, csv, paraview };
+enum class ExportKind { pictures, video, sheet, moment, report, figures, csv, paraview };
+
+// What the view shows, which pictures may show alike.
+struct ShownView {
+  CameraView camera;
+  DisplayOptions display;
+  double time = 0;  // s
+};
 
 class ExportDialog : public QDialog {
   Q_OBJECT
  public:
   // `folder`: where to propose to write; `name`: of the run.
-  ExportDialog(const QString& folder, const QString& name, QWidget* parent);
+  ExportDialog(const QString& folder, const QString& name, const ShownView& shown, QWidget* parent);
 
   void choose(ExportKind kind);
   ExportKind kind() const;
@@ -26,15 +36,21 @@ class ExportDialog : public QDialog {
   QString target() const;
   // What the job is called, and the arguments of the program for a recording.
   QString label() const;
-  QStringList arguments(const QString& recording) const;
+  // The camera of the view, if it is chosen, is written to the file `view_file` names.
+  QStringList arguments(const QString& recording, const QString& view_file) const;
+  // Whether arguments() needs the view's camera.
+  bool uses_view() const;
+  const CameraView& view() const { return shown_.camera; }
 
  private:
   QWidget* make_target_row();
   void kind_changed();
   void browse();
+  QStringList look_arguments(const QString& view_file) const;
 
   QString folder_;
   QString name_;
+  ShownView shown_;
   QComboBox* kind_;
   QLineEdit* target_;
   QFormLayout* form_;

@@ -31,6 +31,7 @@ struct Run {
   Scenario scenario;       // with the strategy in force now
   std::shared_ptr<const Structure> structure;
   RunSeries series;  // channels of all frames
+  std::shared_ptr<const Snapshot> first_frame;
   std::shared_ptr<RunFile> file;
   RunState state = RunState::preparing;
   RunStatus status;

@@ -41,6 +41,7 @@ void RunFile::write(const Checkpoint& checkpoint) {
 void RunFile::finish(const RunStatus& status, const RunStatistics& statistics) {
   if (recorder_) recorder_->finish(status, statistics);
   recorder_.reset();
+  reader_.reset();  // it may have been opened before the last frames
 }
 
 void RunFile::begin_branch(RunFile& source, std::size_t count, double time, const Structure& structure) {

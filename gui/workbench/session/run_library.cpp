@@ -127,30 +127,42 @@ void RunLibrary::recover(const LostRuns& lost) {
   });
 }
 
+struct RunLibrary::OpenedRecording {
+  Recording recording;
+  Scenario scenario;
+  std::shared_ptr<const Snapshot> first_frame;
+  bool recovered;
+};
+
 void RunLibrary::read_recording(const QString& path, bool recovered) {
   try {
-    auto recording = std::make_shared<Recording>(path.toStdString());
-    const auto scenario = read_scenario_text(recording->origin().scenario_text, path.toStdString()).scenario;
-    later([this, recording, scenario, recovered] { add_recording(std::move(*recording), scenario, recovered); });
+    Recording recording(path.toStdString());
+    auto scenario = read_scenario_text(recording.origin().scenario_text, path.toStdString()).scenario;
+    std::shared_ptr<const Snapshot> first;
+    if (recording.frame_count() > 0) first = std::make_shared<const Snapshot>(recording.frame(0));
+    const auto opened = std::make_shared<OpenedRecording>(
+        OpenedRecording{std::move(recording), std::move(scenario), std::move(first), recovered});
+    later([this, opened] { add_recording(std::move(*opened)); });
   } catch (const std::exception& error) {
     later([this, reason = QString::fromUtf8(error.what())] { emit failed(reason); });
   }
 }
 
-void RunLibrary::add_recording(Recording recording, const Scenario& scenario, bool recovered) {
+void RunLibrary::add_recording(OpenedRecording opened) {
+  Recording& recording = opened.recording;
   Run run;
-  run.name = recovered ? tr("%1, recovered").arg(QString::fromStdString(recording.origin().scenario_name))
-                       : QFileInfo(QString::fromStdString(recording.path())).completeBaseName();
-  run.scenario = scenario;
+  run.name = opened.recovered ? tr("%1, recovered").arg(QString::fromStdString(recording.origin().scenario_name))
+                              : QFileInfo(QString::fromStdString(recording.path())).completeBaseName();
+  run.scenario = opened.scenario;
   run.structure = std::make_shared<const Structure>(recording.structure());
   run.series = run_series(recording);
+  run.first_frame = opened.first_frame;
   run.state = RunState::recorded;
   run.simulated_here = false;
-  run.continuable = why_not_resumable(recording, origin_).empty();
-  run.temporary = recovered;
+  run.temporary = opened.recovered;
   run.status = recording.status();
   run.statistics = recording.statistics();
-  run.file = RunFile::existing(std::move(recording), recovered);
+  run.file = RunFile::existing(std::move(recording), opened.recovered);
   emit run_added(insert(std::move(run)));
 }
 
@@ -208,6 +220,7 @@ void RunLibrary::append(RunId id, std::shared_ptr<const Snapshot> frame, const R
   run->speed = speed;
   // A branch begins with the frame that it has from its parent.
   if (run->frame_count() > 0 && frame->time <= run->end_time()) return;
+  if (run->frame_count() == 0) run->first_frame = frame;
   for (std::size_t i = 0; i < kChannelCount; ++i) run->series.channels[i].push_back(frame->channels[i]);
   cache_.add(id, run->frame_count() - 1, frame);
   store([file = run->file, frame] { file->write(*frame); });

@@ -89,7 +89,8 @@ class RunLibrary : public QObject {
   // Runs a job on the storage thread; a RecordingError is reported.
   void store(std::function<void()> job);
   void later(std::function<void()> action);
-  void add_recording(Recording recording, const Scenario& scenario, bool recovered);
+  struct OpenedRecording;
+  void add_recording(OpenedRecording opened);
   void read_recording(const QString& path, bool recovered);
   void load(RunId id, std::size_t index);
   void load_next();

@@ -57,6 +57,9 @@ void PickPanel::set_description(const PickDescription& description) {
     auto* value = new QLabel;
     value->setTextInteractionFlags(Qt::TextSelectableByMouse);
     rows_->addRow(label, value);
+    // At once, so that the panel's size counts them.
+    label->show();
+    value->show();
   }
   for (int i = 0; i < count; ++i) {
     const auto text = [&](QFormLayout::ItemRole role, const QString& t) {
@@ -67,6 +70,7 @@ void PickPanel::set_description(const PickDescription& description) {
   }
   // Wide enough not to change size with every frame.
   setMinimumWidth(fontMetrics().averageCharWidth() * 44);
+  layout()->activate();
   adjustSize();
 }
 

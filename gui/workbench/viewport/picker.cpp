@@ -138,6 +138,13 @@ std::optional<Pick> pick_at(const ViewState& state, const QPointF& position, con
   return Pick{PickKind::body, body.body, 0, body.local};
 }
 
+std::optional<Pick> body_at(const ViewState& state, const QPointF& position, const QSizeF& size) {
+  if (!state.complete() || size.isEmpty()) return std::nullopt;
+  const BodyHit body = nearest_body(state, OrbitCamera(state.camera).ray(position, size));
+  if (body.body < 0) return std::nullopt;
+  return Pick{PickKind::body, body.body, 0, body.local};
+}
+
 std::optional<Eigen::Vector3d> position_of(const Pick& pick, const Structure& structure, const Snapshot& snapshot) {
   const auto index = static_cast<std::size_t>(pick.index);
   switch (pick.kind) {

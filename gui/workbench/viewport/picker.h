@@ -25,6 +25,9 @@ struct Pick {
 // The node, cord or body that is seen at a position: things in front win, cords are caught within a few pixels.
 std::optional<Pick> pick_at(const ViewState& state, const QPointF& position, const QSizeF& size);
 
+// The body that is seen at a position, whatever cords are in front of it.
+std::optional<Pick> body_at(const ViewState& state, const QPointF& position, const QSizeF& size);
+
 // Where it is in a snapshot, m, world; nothing when it does not exist there.
 std::optional<Eigen::Vector3d> position_of(const Pick& pick, const Structure& structure, const Snapshot& snapshot);
 

@@ -19,7 +19,9 @@ void SceneDrawing::draw(const ViewState& state, int width, int height) {
   window_->SetSize(width, height);
   const bool other_scene = state.structure != shown_.structure || state.options != shown_.options;
   if (other_scene) build_scene(state);
-  if (scene_ && (other_scene || state.snapshot != shown_.snapshot)) scene_->update(*state.snapshot);
+  const bool other_history = state.history && (other_scene || state.history != shown_.history);
+  if (scene_ && other_history) scene_->set_history(*state.history);
+  if (scene_ && (other_scene || other_history || state.snapshot != shown_.snapshot)) scene_->update(*state.snapshot);
   apply_view(state.camera, *renderer_->GetActiveCamera());
   shown_ = state;
   window_->Render();

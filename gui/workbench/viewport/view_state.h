@@ -7,6 +7,7 @@
 #include "engine/recording/snapshot.h"
 #include "engine/recording/structure.h"
 #include "render/scene/camera.h"
+#include "render/scene/scene_history.h"
 #include "render/scene/scene_options.h"
 
 namespace netpocket {
@@ -15,6 +16,7 @@ struct ViewState {
   std::shared_ptr<const Structure> structure;  // null: nothing is shown
   std::shared_ptr<const Snapshot> snapshot;    // fits the structure
   std::shared_ptr<const SceneOptions> options;
+  std::shared_ptr<const SceneHistory> history;  // null: nothing of other moments is shown
   CameraView camera;
 
   bool complete() const { return structure && snapshot && options; }

@@ -55,6 +55,7 @@ void Viewport::set_pocket(std::shared_ptr<const Structure> structure, std::share
     // What was picked may not exist in another pocket.
     select(std::nullopt);
     measured_.clear();
+    state_.history = nullptr;  // it fits the pocket before
     if (structure == nullptr || !state_.structure || structure->bodies.size() != state_.structure->bodies.size()) {
       end_drag();
     }
@@ -80,6 +81,12 @@ void Viewport::set_snapshot(std::shared_ptr<const Snapshot> snapshot) {
   refresh();
 }
 
+void Viewport::set_history(std::shared_ptr<const SceneHistory> history) {
+  if (state_.history == history) return;
+  state_.history = std::move(history);
+  refresh();
+}
+
 void Viewport::set_options(const SceneOptions& options) {
   state_.options = std::make_shared<const SceneOptions>(options);
   overlay_->set_dark(options.background == Background::space);
@@ -98,8 +105,7 @@ void Viewport::set_preset(CameraPreset preset) {
   if (preset == CameraPreset::follow) set_follow_target(true);
   if (!state_.complete()) return;
   framed_ = true;
-  set_view(frame_view(preset, visible_points(*state_.structure, *state_.snapshot),
-                      static_cast<double>(width()) / std::max(1, height())));
+  set_view(frame_view(preset, visible_points(*state_.structure, *state_.snapshot), aspect()));
 }
 
 void Viewport::fit() {
@@ -129,6 +135,7 @@ void Viewport::set_view(const CameraView& view) { set_camera(OrbitCamera(view));
 
 void Viewport::set_camera(const OrbitCamera& camera) {
   framed_ = true;
+  aimed_aspect_ = aspect();
   state_.camera = camera.view();
   refresh();
   emit view_changed();
@@ -196,11 +203,30 @@ void Viewport::place_panel() {
   panel_->move(std::max(0, width() - panel_->width() - kMargin), kMargin);
 }
 
-void Viewport::resizeEvent(QResizeEvent*) {
+void Viewport::resizeEvent(QResizeEvent* event) {
   presenter_->widget().setGeometry(rect());
   overlay_->setGeometry(rect());
   place_panel();
-  if (!framed_ && state_.complete()) set_preset(preset_);
+  if (framed_) {
+    keep_in_sight(event->oldSize());
+  } else if (state_.complete()) {
+    set_preset(preset_);
+  }
+}
+
+double Viewport::aspect() const { return static_cast<double>(width()) / std::max(1, height()); }
+
+// A view has a fixed angle upwards: where the picture becomes narrower than it was when somebody aimed it, backing off
+// keeps at the sides what was seen there.
+void Viewport::keep_in_sight(const QSize& before) {
+  if (before.isEmpty()) return;
+  const auto share = [this](double a) { return std::min(1.0, a / aimed_aspect_); };
+  const double factor = share(aspect()) / share(static_cast<double>(before.width()) / before.height());
+  if (factor == 1) return;
+  OrbitCamera camera(state_.camera);
+  camera.zoom(factor);
+  state_.camera = camera.view();
+  refresh();
 }
 
 void Viewport::mousePressEvent(QMouseEvent* event) {
@@ -237,12 +263,12 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
 }
 
 bool Viewport::grab_body(const QPointF& position) {
-  const auto pick = pick_at(shown_, position, size());
-  if (!pick || pick->kind != PickKind::body || shown_.structure != state_.structure) return false;
+  const auto pick = body_at(state_, position, size());
+  if (!pick) return false;
   dragged_body_ = static_cast<std::size_t>(pick->index);
   if (state_.structure->bodies[dragged_body_].role == BodyRole::other) return false;
-  const auto grabbed = position_of(*pick, *state_.structure, *shown_.snapshot);
-  body_drag_ = BodyDrag(OrbitCamera(shown_.camera), size(), *grabbed, shown_.snapshot->bodies[dragged_body_].position);
+  const auto grabbed = position_of(*pick, *state_.structure, *state_.snapshot);
+  body_drag_ = BodyDrag(OrbitCamera(state_.camera), size(), *grabbed, state_.snapshot->bodies[dragged_body_].position);
   setCursor(Qt::ClosedHandCursor);
   emit body_drag_started();
   return true;

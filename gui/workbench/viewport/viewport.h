@@ -31,6 +31,9 @@ class Viewport : public QWidget {
   void set_snapshot(std::shared_ptr<const Snapshot> snapshot);
   const ViewState& state() const { return state_; }
 
+  // Of the run that is shown, for trails and the initial shape; null: none.
+  void set_history(std::shared_ptr<const SceneHistory> history);
+
   void set_options(const SceneOptions& options);
   const SceneOptions& options() const { return *state_.options; }
 
@@ -94,6 +97,8 @@ class Viewport : public QWidget {
   void click(const QPointF& position);
   Eigen::Vector3d target_position(const Snapshot& snapshot) const;
   void place_panel();
+  double aspect() const;
+  void keep_in_sight(const QSize& before);
 
   std::unique_ptr<Presenter> presenter_;
   ViewportOverlay* overlay_;
@@ -102,6 +107,7 @@ class Viewport : public QWidget {
   ViewState shown_;
   CameraPreset preset_ = CameraPreset::iso;
   bool framed_ = false;  // whether the camera has been aimed at a pocket
+  double aimed_aspect_ = 1;  // of the picture when the camera was set last
   bool follow_ = false;
   bool measuring_ = false;
   bool moving_ = false;

@@ -6,16 +6,18 @@
 #include <Eigen/Geometry>
 #include <cstdio>
 #include <random>
+#include <string>
 
 #include "engine/ancf/cable_section.h"
 #include "engine/ancf/vector.h"
+#include "tests/engine/verification_table.h"
 
 namespace netpocket::test {
 
-// Prints the measured error beside its tolerance and checks it.
-inline void expect_error_below(const char* what, double error, double tolerance) {
-  std::printf("  %-64s %10.2e (tolerance %.0e)\n", what, error, tolerance);
-  EXPECT_LE(error, tolerance) << what;
+// Checks an error and keeps it in tests/VERIFICATION.md.
+inline void expect_error_below(const std::string& what, double error, double tolerance,
+                               const std::string& source = "an identity: round-off, or the error of the differences") {
+  VerificationTest::current().expect_below(what, error, tolerance, source);
 }
 
 class RandomStates {

@@ -21,7 +21,7 @@ double energy(const FullElement& element, const ElementCoordinates& q) {
   return element.axial_energy(q) + element.bending_energy(q);
 }
 
-class FullElementTest : public testing::TestWithParam<StrainMeasure> {
+class VerificationFullElement : public VerificationTest, public testing::WithParamInterface<StrainMeasure> {
  protected:
   FullElement element(const CableSection& section, double smallest_stretch = 0.5) const {
     return {section, {.length = kLength}, {.measure = GetParam(), .smallest_stretch = smallest_stretch}};
@@ -30,10 +30,11 @@ class FullElementTest : public testing::TestWithParam<StrainMeasure> {
   RandomStates random_;
 };
 
-INSTANTIATE_TEST_SUITE_P(Measures, FullElementTest, testing::Values(StrainMeasure::green, StrainMeasure::material),
+INSTANTIATE_TEST_SUITE_P(Measures, VerificationFullElement,
+                         testing::Values(StrainMeasure::green, StrainMeasure::material),
                          [](const auto& test) { return test.param == StrainMeasure::green ? "green" : "material"; });
 
-TEST_P(FullElementTest, ForceIsTheGradientOfTheEnergy) {
+TEST_P(VerificationFullElement, ForceIsTheGradientOfTheEnergy) {
   const FullElement cable = element(balanced_section());
   double force_error = 0, tangent_error = 0, asymmetry = 0;
   for (int i = 0; i < kStates; ++i) {
@@ -50,7 +51,7 @@ TEST_P(FullElementTest, ForceIsTheGradientOfTheEnergy) {
   expect_error_below("asymmetry of the tangent", asymmetry, 1e-14);
 }
 
-TEST_P(FullElementTest, ForceAndTangentHoldWhereTheSlopeCollapses) {
+TEST_P(VerificationFullElement, ForceAndTangentHoldWhereTheSlopeCollapses) {
   // Slack element, gradients nearly zero: the continued curvature must still have its own exact derivatives.
   const FullElement cable = element(balanced_section());
   double force_error = 0, tangent_error = 0;
@@ -67,7 +68,7 @@ TEST_P(FullElementTest, ForceAndTangentHoldWhereTheSlopeCollapses) {
   expect_error_below("collapsed slope: tangent", tangent_error, 1e-7);
 }
 
-TEST_P(FullElementTest, CollapseIsBounded) {
+TEST_P(VerificationFullElement, CollapseIsBounded) {
   // r' -> 0 with r'' kept: the exact curvature's force grows without bound, the continued one's does not.
   const CableSection beam{.EA = 0, .EI = 1};
   auto force_at = [&](double slope, double smallest_stretch) {
@@ -82,7 +83,7 @@ TEST_P(FullElementTest, CollapseIsBounded) {
   EXPECT_GT(force_at(1e-6, 1e-9), 1e6);
 }
 
-TEST_P(FullElementTest, RigidMotionMakesNoForce) {
+TEST_P(VerificationFullElement, RigidMotionMakesNoForce) {
   const CableSection section = net_cord();
   const FullElement cable = element(section);
   double largest = 0;
@@ -94,7 +95,7 @@ TEST_P(FullElementTest, RigidMotionMakesNoForce) {
   expect_error_below("force of a rigid motion / EA", largest, 2e-14);
 }
 
-TEST_P(FullElementTest, EnergyDoesNotSeeRotation) {
+TEST_P(VerificationFullElement, EnergyDoesNotSeeRotation) {
   const FullElement cable = element(balanced_section());
   double error = 0;
   for (int i = 0; i < kStates; ++i) {
@@ -105,7 +106,7 @@ TEST_P(FullElementTest, EnergyDoesNotSeeRotation) {
   expect_error_below("energy of a rotated state", error, 1e-11);
 }
 
-TEST_P(FullElementTest, DampingOnlyTakesEnergyAndIgnoresRigidMotion) {
+TEST_P(VerificationFullElement, DampingOnlyTakesEnergyAndIgnoresRigidMotion) {
   const FullElement cable = element(balanced_section());
   double least = 1, identity = 0, rigid = 0;
   for (int i = 0; i < kStates; ++i) {
@@ -123,7 +124,7 @@ TEST_P(FullElementTest, DampingOnlyTakesEnergyAndIgnoresRigidMotion) {
   expect_error_below("damping force of a rigid motion / elastic force", rigid, 1e-12);
 }
 
-TEST_P(FullElementTest, ExactCircleHasItsCurvature) {
+TEST_P(VerificationFullElement, ExactCircleHasItsCurvature) {
   // An arc of 0.1 rad with the radius and unit gradients of a circle: kappa = 1/R up to interpolation, angle^4/720.
   const double R = kLength / 0.1, angle = 0.1, EI = 3;
   ElementCoordinates q;
@@ -133,7 +134,7 @@ TEST_P(FullElementTest, ExactCircleHasItsCurvature) {
   expect_error_below("energy of an arc", std::abs(element({.EA = 0, .EI = EI}).bending_energy(q) / arc - 1), 1e-6);
 }
 
-TEST_P(FullElementTest, TurnsWithThePocketToTheLastBit) {
+TEST_P(VerificationFullElement, TurnsWithThePocketToTheLastBit) {
   // Rotation by 90 degrees about Y.
   const FullElement cable = element(balanced_section());
   auto turn = [](const ElementCoordinates& q) {

@@ -10,6 +10,8 @@ namespace {
 
 using namespace test;
 
+class VerificationMeanStrainElement : public VerificationTest {};
+
 constexpr double kLength = 0.7;
 constexpr int kStates = 200;
 const ElementCoordinates kAtRest = ElementCoordinates::Zero();
@@ -19,7 +21,7 @@ CableSection balanced_section() {
   return {.EA = 50, .EI = 2, .mass_per_length = 0.1, .axial_damping = 0.3, .bending_damping = 0.2, .compression = 0.4};
 }
 
-TEST(MeanStrainElement, IsTheIntegralOfGreenStrainAndCurvature) {
+TEST_F(VerificationMeanStrainElement, IsTheIntegralOfGreenStrainAndCurvature) {
   RandomStates random;
   const CableSection section = balanced_section();
   const MeanStrainElement element(section, {.length = kLength});
@@ -39,7 +41,7 @@ TEST(MeanStrainElement, IsTheIntegralOfGreenStrainAndCurvature) {
   expect_error_below("bending energy, against quadrature", energy_error, 1e-13);
 }
 
-TEST(MeanStrainElement, ForceIsTheGradientOfTheEnergy) {
+TEST_F(VerificationMeanStrainElement, ForceIsTheGradientOfTheEnergy) {
   RandomStates random;
   const MeanStrainElement element(balanced_section(), {.length = kLength});
   double force_error = 0, tangent_error = 0, asymmetry = 0;
@@ -58,7 +60,7 @@ TEST(MeanStrainElement, ForceIsTheGradientOfTheEnergy) {
   expect_error_below("asymmetry of the tangent", asymmetry, 1e-15);
 }
 
-TEST(MeanStrainElement, HasTheForcesWrittenOut) {
+TEST_F(VerificationMeanStrainElement, HasTheForcesWrittenOut) {
   // Force of axial tension N alone on r1, g1 and of bending alone, from the closed form in the header's symbols.
   RandomStates random;
   const ElementCoordinates q = random.deformed(kLength);
@@ -75,7 +77,7 @@ TEST(MeanStrainElement, HasTheForcesWrittenOut) {
   EXPECT_LT(relative_error(bending.internal_force(q, kAtRest), expected), 1e-15);
 }
 
-TEST(MeanStrainElement, RigidMotionMakesNoForce) {
+TEST_F(VerificationMeanStrainElement, RigidMotionMakesNoForce) {
   RandomStates random;
   const CableSection section = net_cord();
   const MeanStrainElement element(section, {.length = kLength});
@@ -88,7 +90,7 @@ TEST(MeanStrainElement, RigidMotionMakesNoForce) {
   expect_error_below("force of a rigid motion / EA", largest, 1e-14);
 }
 
-TEST(MeanStrainElement, DampingOnlyTakesEnergyAndIgnoresRigidMotion) {
+TEST_F(VerificationMeanStrainElement, DampingOnlyTakesEnergyAndIgnoresRigidMotion) {
   RandomStates random;
   const MeanStrainElement element(balanced_section(), {.length = kLength});
   double least = 1, identity = 0, rigid = 0;
@@ -108,7 +110,7 @@ TEST(MeanStrainElement, DampingOnlyTakesEnergyAndIgnoresRigidMotion) {
   expect_error_below("damping force of a rigid motion / elastic force", rigid, 1e-13);
 }
 
-TEST(MeanStrainElement, DampsBendingAtItsOwnRate) {
+TEST_F(VerificationMeanStrainElement, DampsBendingAtItsOwnRate) {
   // Motion along the bent shape itself, as in a plane vibration: the damping force is then c d(elastic force)/dt.
   RandomStates random;
   const CableSection beam{.EA = 0, .EI = 3, .bending_damping = 0.2};
@@ -128,7 +130,7 @@ TEST(MeanStrainElement, DampsBendingAtItsOwnRate) {
   }
 }
 
-TEST(MeanStrainElement, CompressionActsAsTheFractionSays) {
+TEST_F(VerificationMeanStrainElement, CompressionActsAsTheFractionSays) {
   const double L = 1;
   ElementCoordinates q = ElementCoordinates::Zero();
   q.col(2).x() = 0.9;
@@ -141,7 +143,7 @@ TEST(MeanStrainElement, CompressionActsAsTheFractionSays) {
   }
 }
 
-TEST(MeanStrainElement, TurnsWithThePocketToTheLastBit) {
+TEST_F(VerificationMeanStrainElement, TurnsWithThePocketToTheLastBit) {
   // Rotation by 90 degrees about Y.
   RandomStates random;
   const MeanStrainElement element(balanced_section(), {.length = kLength});

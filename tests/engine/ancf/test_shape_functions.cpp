@@ -10,9 +10,12 @@ namespace {
 
 using namespace test;
 
+class VerificationShapeFunctions : public VerificationTest {};
+class VerificationMass : public VerificationTest {};
+
 constexpr double kLength = 0.7;
 
-TEST(ShapeFunctions, InterpolateTheNodes) {
+TEST_F(VerificationShapeFunctions, InterpolateTheNodes) {
   const Eigen::Matrix4d unit = Eigen::Matrix4d::Identity();
   EXPECT_EQ(shape(-1, kLength), unit.col(0));
   EXPECT_EQ(shape(1, kLength), unit.col(2));
@@ -20,7 +23,7 @@ TEST(ShapeFunctions, InterpolateTheNodes) {
   EXPECT_LT((shape_p(1, kLength) - unit.col(3)).norm(), 1e-15);
 }
 
-TEST(ShapeFunctions, ReproduceTranslationAndStraightLine) {
+TEST_F(VerificationShapeFunctions, ReproduceTranslationAndStraightLine) {
   double unity = 0, line = 0;
   for (double xi = -1; xi <= 1; xi += 0.125) {
     const NodalWeights s = shape(xi, kLength);
@@ -31,7 +34,7 @@ TEST(ShapeFunctions, ReproduceTranslationAndStraightLine) {
   expect_error_below("straight line", line, 1e-15);
 }
 
-TEST(ShapeFunctions, DerivativesMatchDifferences) {
+TEST_F(VerificationShapeFunctions, DerivativesMatchDifferences) {
   double error = 0;
   const double L = kLength, h = 1e-3;
   for (double xi = -1; xi <= 1; xi += 0.25) {
@@ -52,7 +55,7 @@ TEST(ShapeFunctions, DerivativesMatchDifferences) {
   expect_error_below("derivatives of the shape functions", error, 1e-8);
 }
 
-TEST(Mass, ConsistentMatrixIsTheIntegral) {
+TEST_F(VerificationMass, ConsistentMatrixIsTheIntegral) {
   Eigen::Matrix4d integral = Eigen::Matrix4d::Zero();
   NodalWeights load = NodalWeights::Zero();
   for (const auto& [xi, weight] : kGauss4) {
@@ -64,22 +67,21 @@ TEST(Mass, ConsistentMatrixIsTheIntegral) {
   expect_error_below("load weights", relative_error(uniform_load(kLength), load), 1e-15);
 }
 
-TEST(Mass, ConsistentMatrixHasThePublishedNumbers) {
-  // verification.md V1, per rhoA L.
+TEST_F(VerificationMass, ConsistentMatrixHasThePublishedNumbers) {
+  // Per rhoA L.
   const double L = 2;
   const Eigen::Matrix4d m = consistent_mass(1, L) / L;
-  EXPECT_DOUBLE_EQ(m(0, 0), 13. / 35);
-  EXPECT_DOUBLE_EQ(m(0, 1), 11 * L / 210);
-  EXPECT_DOUBLE_EQ(m(0, 2), 9. / 70);
-  EXPECT_DOUBLE_EQ(m(0, 3), -13 * L / 420);
-  EXPECT_DOUBLE_EQ(m(1, 1), L * L / 105);
-  EXPECT_DOUBLE_EQ(m(1, 2), 13 * L / 420);
-  EXPECT_DOUBLE_EQ(m(1, 3), -L * L / 140);
-  EXPECT_DOUBLE_EQ(m(2, 3), -11 * L / 210);
+  Eigen::Matrix4d published;
+  published << 13. / 35, 11 * L / 210, 9. / 70, -13 * L / 420,  //
+      11 * L / 210, L * L / 105, 13 * L / 420, -L * L / 140,    //
+      9. / 70, 13 * L / 420, 13. / 35, -11 * L / 210,           //
+      -13 * L / 420, -L * L / 140, -11 * L / 210, L * L / 105;
+  expect_error_below("mass matrix against the published fractions", (m - published).norm(), 1e-15,
+                     "verification case V1; round-off");
   EXPECT_EQ(m, m.transpose());
 }
 
-TEST(Mass, LumpedMassScalesTheConsistentDiagonal) {
+TEST_F(VerificationMass, LumpedMassScalesTheConsistentDiagonal) {
   const double L = kLength, m = 3;
   const NodalWeights lumped = lumped_mass(m, L), diagonal = consistent_mass(m, L).diagonal();
   EXPECT_DOUBLE_EQ(lumped[0] + lumped[2], m * L);

@@ -11,6 +11,8 @@ namespace {
 
 using namespace test;
 
+class VerificationSlackCord : public VerificationTest {};
+
 // Free chain of net cord, 1 m long in 10 elements, stepped with the symplectic Euler rule and lumped masses.
 class FreeCord {
  public:
@@ -75,12 +77,12 @@ double energy_error(double smallest_stretch) {
   return worst;
 }
 
-TEST(SlackCord, ContinuedCurvatureKeepsTheEnergy) {
+TEST_F(VerificationSlackCord, ContinuedCurvatureKeepsTheEnergy) {
   // Symplectic stepping: the energy oscillates with dt times the highest frequency in motion, and does not drift.
   expect_error_below("slack tension-only cord: energy", energy_error(FullElementOptions().smallest_stretch), 2e-3);
 }
 
-TEST(SlackCord, SingularCurvatureDoesNot) {
+TEST_F(VerificationSlackCord, SingularCurvatureDoesNot) {
   const double error = energy_error(1e-6);
   std::printf("  slack tension-only cord, exact curvature: energy error %.1e\n", error);
   EXPECT_GT(error, 1);

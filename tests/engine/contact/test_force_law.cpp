@@ -5,9 +5,12 @@
 #include <random>
 
 #include "engine/contact/force_law.h"
+#include "tests/engine/verification_table.h"
 
 namespace netpocket {
 namespace {
+
+class VerificationForceLaw : public test::VerificationTest {};
 
 // Net cord (E = 12 GPa, d = 4 mm) on an aluminium target of 4.5 m radius; a piece of cord of 5 g.
 const double kStiffness = hertz_stiffness(effective_modulus({12e9, 0.3}, {70e9, 0.33}), effective_radius(0.002, 4.5));
@@ -56,7 +59,7 @@ ImpactRecord collide(const Force& force, double mass, double speed, double dt) {
   }
 }
 
-TEST(ForceLaw, EffectiveQuantities) {
+TEST_F(VerificationForceLaw, EffectiveQuantities) {
   EXPECT_NEAR(effective_modulus({12e9, 0.3}, {70e9, 0.33}), 11.2914e9, 0.0001e9);
   EXPECT_DOUBLE_EQ(effective_modulus({2e9, 0}, {2e9, 0}), 1e9);
   EXPECT_DOUBLE_EQ(effective_radius(0.3, 0.6), 0.2);
@@ -67,11 +70,13 @@ TEST(ForceLaw, EffectiveQuantities) {
 }
 
 // Antypov & Elliott (2011); six digits as tabulated in the verification plan.
-TEST(ForceLaw, DampingFromRestitution) {
-  EXPECT_NEAR(restitution_damping(0.9), 0.074950, 5e-7);
-  EXPECT_NEAR(restitution_damping(0.8), 0.158426, 5e-7);
-  EXPECT_NEAR(restitution_damping(0.5), 0.481769, 5e-7);
-  EXPECT_NEAR(restitution_damping(0.3), 0.800193, 5e-7);
+TEST_F(VerificationForceLaw, DampingFromRestitution) {
+  for (const auto& [restitution, alpha] :
+       {std::pair{0.9, 0.074950}, {0.8, 0.158426}, {0.5, 0.481769}, {0.3, 0.800193}}) {
+    expect_value("damping alpha for c_r = " + std::to_string(restitution).substr(0, 3),
+                 restitution_damping(restitution), alpha, 5e-7,
+                 "Antypov & Elliott (2011), six digits (verification case V5)");
+  }
   EXPECT_DOUBLE_EQ(restitution_damping(0), std::sqrt(5.0));
   EXPECT_EQ(restitution_damping(1), 0);
   EXPECT_GT(restitution_damping(1e-300), 2.23);  // continuous towards 0, though slowly: the logarithm
@@ -79,7 +84,7 @@ TEST(ForceLaw, DampingFromRestitution) {
   EXPECT_EQ(restitution_damping(-0.1), restitution_damping(0));
 }
 
-TEST(ForceLaw, NothingActsAcrossAGap) {
+TEST_F(VerificationForceLaw, NothingActsAcrossAGap) {
   const NormalLaw law = make_normal_law(kStiffness, 0.5, kMass);
   for (double penetration : {0.0, -1e-12, -1.0}) {
     for (double speed : {-10.0, 0.0, 10.0}) {
@@ -91,7 +96,7 @@ TEST(ForceLaw, NothingActsAcrossAGap) {
   }
 }
 
-TEST(ForceLaw, ElasticEnergyIsTheWorkOfTheSpring) {
+TEST_F(VerificationForceLaw, ElasticEnergyIsTheWorkOfTheSpring) {
   const NormalLaw law{kStiffness, 0};
   const double d = 2e-5, h = 1e-9;
   EXPECT_NEAR((elastic_energy(law, d + h) - elastic_energy(law, d - h)) / (2 * h), normal_force(law, d, 0),
@@ -99,7 +104,7 @@ TEST(ForceLaw, ElasticEnergyIsTheWorkOfTheSpring) {
 }
 
 // The point of this damper: the same coefficient of restitution at every speed.
-TEST(ForceLaw, ReboundIsTheCoefficientOfRestitutionAtAnySpeed) {
+TEST_F(VerificationForceLaw, ReboundIsTheCoefficientOfRestitutionAtAnySpeed) {
   double largest_error = 0;
   for (double restitution : {0.3, 0.5, 0.8, 0.9}) {
     const NormalLaw law = make_normal_law(kStiffness, restitution, kMass);
@@ -109,22 +114,24 @@ TEST(ForceLaw, ReboundIsTheCoefficientOfRestitutionAtAnySpeed) {
       const double rebound = collide(force, kMass, speed, dt).rebound_speed / speed;
       largest_error = std::max(largest_error, std::abs(rebound - restitution));
       // The damper starts like d^(1/4): Runge-Kutta is of order 5/4 there, 50000^-1.25 = 1e-6.
-      EXPECT_NEAR(rebound, restitution, 5e-6) << "at " << speed << " m/s";
     }
   }
-  std::printf("largest error of the restitution %.1e\n", largest_error);
+  expect_below("rebound at c_r = 0.3, 0.5, 0.8, 0.9 and 0.1, 1, 10 m/s: largest error", largest_error, 5e-6,
+               "Antypov & Elliott (2011): exactly c_r at any speed; Runge-Kutta is of order 5/4 there: 50000^-1.25");
 }
 
-TEST(ForceLaw, ReboundWithoutTheAdhesiveTailIsFaster) {
+TEST_F(VerificationForceLaw, ReboundWithoutTheAdhesiveTailIsFaster) {
   const NormalLaw law = make_normal_law(kStiffness, 0.5, kMass);
   for (double speed : {0.1, 1.0, 10.0}) {
     const auto force = [&](double d, double v) { return repulsive_normal_force(law, d, v); };
     const double dt = hertz_duration(kStiffness, kMass, speed) / 50000;
-    EXPECT_NEAR(collide(force, kMass, speed, dt).rebound_speed / speed, 0.55028, 1e-5);
+    expect_value("rebound without the adhesive tail, c_r = 0.5, at " + std::to_string(speed).substr(0, 4) + " m/s",
+                 collide(force, kMass, speed, dt).rebound_speed / speed, 0.55028, 1e-5,
+                 "verification case V5, five digits");
   }
 }
 
-TEST(ForceLaw, ReboundAtTheEndsOfTheRange) {
+TEST_F(VerificationForceLaw, ReboundAtTheEndsOfTheRange) {
   const auto rebound = [](double restitution) {
     const NormalLaw law = make_normal_law(kStiffness, restitution, kMass);
     const auto force = [&](double d, double v) { return repulsive_normal_force(law, d, v); };
@@ -137,16 +144,19 @@ TEST(ForceLaw, ReboundAtTheEndsOfTheRange) {
 }
 
 // Hertz (1882): 5/4 and a quotient of gamma functions.
-TEST(ForceLaw, UndampedImpactIsThatOfHertz) {
+TEST_F(VerificationForceLaw, UndampedImpactIsThatOfHertz) {
   const NormalLaw law = make_normal_law(kStiffness, 1, kMass);
   const auto force = [&](double d, double v) { return normal_force(law, d, v); };
   for (double speed : {0.1, 1.0, 10.0}) {
     const double duration = hertz_duration(kStiffness, kMass, speed);
     const ImpactRecord record = collide(force, kMass, speed, duration / 20000);
     const double deepest = 1.093362 * std::pow(kMass * speed * speed / kStiffness, 0.4);
-    EXPECT_NEAR(record.largest_penetration / deepest, 1, 1e-6);  // seven digits of the constant
-    EXPECT_NEAR(record.duration / duration, 1, 1e-4);            // to the step, duration/20000
-    EXPECT_NEAR(record.rebound_speed / speed, 1, 1e-6);
+    const std::string at = " at " + std::to_string(speed).substr(0, 4) + " m/s";
+    expect_relative("undamped impact: deepest penetration, m," + at, record.largest_penetration, deepest, 1e-6,
+                    "1.093362 (m v^2/K)^0.4, Hertz (verification case V5); seven digits of the constant");
+    expect_relative("undamped impact: duration, s," + at, record.duration, duration, 1e-4,
+                    "3.218065 (m^2/(K^2 v))^0.2, Hertz (verification case V5); steps of duration/20000");
+    expect_relative("undamped impact: rebound, m/s," + at, record.rebound_speed, speed, 1e-6, "no loss");
   }
 }
 

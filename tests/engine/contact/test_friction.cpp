@@ -5,9 +5,12 @@
 #include <random>
 
 #include "engine/contact/force_law.h"
+#include "tests/engine/verification_table.h"
 
 namespace netpocket {
 namespace {
+
+class VerificationFriction : public test::VerificationTest {};
 
 constexpr double kGravity = 9.81, kFriction = 0.4, kFrictionVelocity = 1e-3;
 
@@ -43,33 +46,37 @@ Slide slide(double angle, double dt, double end, double friction_velocity = kFri
   return result;
 }
 
-TEST(Friction, BlockSlidesAboveTheAngleOfFriction) {
+TEST_F(VerificationFriction, BlockSlidesAboveTheAngleOfFriction) {
   for (double angle : {0.45, 0.6, 1.0}) {  // atan(0.4) = 0.3805
     const double expected = kGravity * (std::sin(angle) - kFriction * std::cos(angle));
     const Slide block = slide(angle, 1e-4, 1);
-    EXPECT_NEAR(block.acceleration, expected, 1e-9 * expected);  // constant forces: only round-off
+    expect_relative("block sliding down " + std::to_string(angle).substr(0, 4) + " rad, mu = 0.4: acceleration, m/s^2",
+                    block.acceleration, expected, 1e-9, "g (sin - mu cos) (verification case V5); round-off");
     EXPECT_LE(block.largest_power, 0);
   }
 }
 
-TEST(Friction, BlockSticksBelowTheAngleOfFriction) {
+TEST_F(VerificationFriction, BlockSticksBelowTheAngleOfFriction) {
   for (double angle : {0.1, 0.3, 0.37}) {
     const Slide block = slide(angle, 1e-4, 1);
     // What the regularisation leaves: creep at the share of the friction velocity that carries the load. Friction sees
     // it before, `speed` is it after friction has taken back the pull of one step.
     const double creep = kFrictionVelocity * std::tan(angle) / kFriction;
-    EXPECT_NEAR(block.speed, creep - kGravity * std::sin(angle) * 1e-4, 1e-9 * creep);
+    expect_relative("block sticking at " + std::to_string(angle).substr(0, 4) + " rad, mu = 0.4: creep, m/s",
+                    block.speed, creep - kGravity * std::sin(angle) * 1e-4, 1e-8,
+                    "sticks below atan(mu) (verification case V5); the regularised law's creep v_f tan(angle)/mu, less "
+                    "one step's pull");
     EXPECT_LT(std::abs(block.acceleration), 1e-9);
     EXPECT_LE(block.largest_power, 0);
   }
 }
 
-TEST(Friction, WithoutRegularisationTheBlockStandsStill) {
+TEST_F(VerificationFriction, WithoutRegularisationTheBlockStandsStill) {
   const Slide block = slide(0.3, 1e-4, 1, 0);
   EXPECT_EQ(block.speed, 0);
 }
 
-TEST(Friction, FullyDevelopedAboveTheFrictionVelocity) {
+TEST_F(VerificationFriction, FullyDevelopedAboveTheFrictionVelocity) {
   const double normal = 50;
   const auto force = [&](double speed) { return speed * sliding_resistance(0.4, 1e-3, normal, speed, 1e-6, 1e-6); };
   EXPECT_DOUBLE_EQ(force(1e-3), 20);
@@ -78,7 +85,7 @@ TEST(Friction, FullyDevelopedAboveTheFrictionVelocity) {
   EXPECT_EQ(force(0), 0);
 }
 
-TEST(Friction, NeverTurnsSlidingRoundNorFeedsIt) {
+TEST_F(VerificationFriction, NeverTurnsSlidingRoundNorFeedsIt) {
   std::mt19937 random(5);
   const auto any = [&](double low, double high) {
     return std::exp(std::uniform_real_distribution<double>(std::log(low), std::log(high))(random));
@@ -93,7 +100,7 @@ TEST(Friction, NeverTurnsSlidingRoundNorFeedsIt) {
   }
 }
 
-TEST(Friction, FiniteWithoutForceSpeedOrRegularisation) {
+TEST_F(VerificationFriction, FiniteWithoutForceSpeedOrRegularisation) {
   EXPECT_EQ(0 * sliding_resistance(0.4, 0, 0, 0, 1, 1e-4), 0);
   EXPECT_EQ(0 * sliding_resistance(0.4, 0, 10, 0, 1, 1e-4), 0);
   EXPECT_EQ(sliding_resistance(0.4, 1e-3, 0, 0, 1, 1e-4), 0);

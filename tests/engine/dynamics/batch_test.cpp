@@ -5,6 +5,7 @@
 
 #include "engine/ancf/element_kernel.h"
 #include "engine/ancf/mean_strain_element.h"
+#include "engine/ancf/strain_pair.h"
 #include "engine/dynamics/assembly.h"
 #include "engine/dynamics/slot_kernel.h"
 #include "tests/engine/verification_table.h"
@@ -66,12 +67,23 @@ struct Batch {
   }
 };
 
-AlignedVector<double> forces_of(const ElementBatch& batch, Batch& state, double* power = nullptr) {
+AlignedVector<double> forces_of(const ElementBatch& batch, Batch& state, BatchPower* power = nullptr) {
   AlignedVector<double> rows(static_cast<std::size_t>(batch.block_count()) * kForceRows * kBlockSize, -1.0);
-  const double dissipated =
+  const BatchPower total =
       batch.forces(0, batch.block_count(), state.coordinates.arrays(), state.velocities.arrays(), rows.data());
-  if (power != nullptr) *power = dissipated;
+  if (power != nullptr) *power = total;
   return rows;
+}
+
+// Gives two elements of a batch the same length and section and makes them mates.
+void pair(Batch& batch, std::size_t first, std::size_t second) {
+  BatchElement &a = batch.elements[first], &b = batch.elements[second];
+  b.length = a.length;
+  b.section = a.section;
+  b.variable = a.variable;
+  batch.length_rate[second] = batch.length_rate[first];
+  a.mate = static_cast<std::int32_t>(second);
+  b.mate = static_cast<std::int32_t>(first);
 }
 
 // Slots numbered as the sectors of a pocket are: eight elements read a run of eight slots, rotated by one for a
@@ -99,16 +111,47 @@ Batch irregular_batch(double compression, bool variable) {
   return batch;
 }
 
+// What an element exerts and takes in by the readable formulas, with its pair's strain where it has a mate.
+struct Reference {
+  ElementCoordinates force;
+  double dissipated, fed;
+
+  Reference(const Batch& state, std::size_t i) {
+    const MeanStrainElement element = state.reference(i);
+    const BatchElement& e = state.elements[i];
+    const ElementCoordinates q = state.gather(state.coordinates, i), velocity = state.gather(state.velocities, i);
+    dissipated = element.dissipated_power(q, velocity);
+    fed = element.feeding_power(q, velocity);
+    force = element.internal_force(q, velocity);
+    if (e.mate < 0) return;
+    const auto mate = static_cast<std::size_t>(e.mate);
+    const ElementCoordinates mate_q = state.gather(state.coordinates, mate);
+    const double own = element.strain(q), own_rate = element.strain_rate(q, velocity);
+    const double strain = paired_strain(own, state.reference(mate).strain(mate_q));
+    const double rate =
+        paired_strain(own_rate, state.reference(mate).strain_rate(mate_q, state.gather(state.velocities, mate)));
+    const double EA = e.section.EA, c = e.section.axial_damping;
+    force = element.internal_force(q, velocity, EA * (strain + c * rate));
+    dissipated += EA * c * e.length * own_rate * (rate - own_rate);
+    const Eigen::Vector3d chord = (q.col(2) - q.col(0)) / e.length;
+    fed = state.length_rate[i] * ((EA * e.length * strain * own / 2 - element.bending_energy(q)) / e.length -
+                                  chord.dot(Eigen::Vector3d(force.col(2))));
+  }
+};
+
 // Largest difference of force or power, relative to the largest force.
 double difference_to_reference(Batch& state) {
-  double power = 0;
+  BatchPower power;
   const ElementBatch batch = state.build();
   const AlignedVector<double> rows = forces_of(batch, state, &power);
-  double largest = 0, difference = 0, reference_power = 0;
+  double largest = 0, difference = 0, feeding_scale = 0;
+  BatchPower reference;
   for (std::size_t i = 0; i < state.elements.size(); ++i) {
-    const ElementCoordinates q = state.gather(state.coordinates, i), velocity = state.gather(state.velocities, i);
-    const ElementCoordinates force = state.reference(i).internal_force(q, velocity);
-    reference_power += state.reference(i).dissipated_power(q, velocity);
+    const Reference expected(state, i);
+    reference.dissipated += expected.dissipated;
+    reference.fed += expected.fed;
+    feeding_scale += std::abs(expected.fed);
+    const ElementCoordinates& force = expected.force;
     largest = std::max(largest, force.cwiseAbs().maxCoeff());
     const double* row = rows.data() + i / kBlockSize * kForceRows * kBlockSize + i % kBlockSize;
     const int columns[3] = {0, 1, 3};
@@ -116,7 +159,9 @@ double difference_to_reference(Batch& state) {
       difference = std::max(difference, std::abs(row[part * kBlockSize] - force(part % 3, columns[part / 3])));
     }
   }
-  return std::max(difference / largest, std::abs(power - reference_power) / reference_power);
+  const double dissipated = std::abs(power.dissipated - reference.dissipated) / reference.dissipated;
+  const double fed = feeding_scale == 0 ? std::abs(power.fed) : std::abs(power.fed - reference.fed) / feeding_scale;
+  return std::max({difference / largest, dissipated, fed});
 }
 
 class VerificationBatch : public test::VerificationTest {};
@@ -136,16 +181,72 @@ TEST_F(VerificationBatch, EqualsTheReferenceElement) {
   }
 }
 
+// Pairs whose mates stand lane by lane in the next block, and anywhere.
+Batch with_pairs(Batch batch, bool regular) {
+  if (regular) {
+    for (std::size_t lane = 0; lane < 8; ++lane) pair(batch, lane, 8 + lane);
+  } else {
+    for (std::size_t i = 0; i < 20; i += 5) pair(batch, i, i + 9);
+  }
+  return batch;
+}
+
+TEST_F(VerificationBatch, PairsEqualTheReference) {
+  for (const bool variable : {false, true}) {
+    Batch regular = with_pairs(regular_batch(1, variable), true);
+    Batch irregular = with_pairs(irregular_batch(1, variable), false);
+    const std::string what = std::string(variable ? "variable" : "constant") + " length";
+    expect_below("relative force difference, pairs in neighbouring blocks, " + what, difference_to_reference(regular),
+                 1e-14, "strain_pair.h; sums of some 50 terms of unit round-off 1.1e-16");
+    expect_below("relative force difference, scattered pairs, " + what, difference_to_reference(irregular), 1e-14,
+                 "strain_pair.h; sums of some 50 terms of unit round-off 1.1e-16");
+  }
+}
+
+// Forces of the pair = -d/dq of the energy that strain_pair.h writes down.
+TEST_F(VerificationBatch, PairForceIsTheGradientOfItsEnergy) {
+  Batch state = with_pairs(regular_batch(1, false), true);
+  for (BatchElement& e : state.elements) e.section.axial_damping = e.section.bending_damping = 0;
+  const auto energy = [&] {
+    double sum = 0;
+    for (std::size_t i = 0; i < 2; ++i)
+      sum += state.reference(8 * i).bending_energy(state.gather(state.coordinates, 8 * i));
+    const double first = state.reference(0).strain(state.gather(state.coordinates, 0));
+    const double second = state.reference(8).strain(state.gather(state.coordinates, 8));
+    const double mean = (first + second) / 2, difference = first - second;
+    const BatchElement& e = state.elements[0];
+    return sum + e.section.EA * e.length * (mean * mean + kPairVariation * difference * difference / 4);
+  };
+  const AlignedVector<double> rows = forces_of(state.build(), state);
+  const std::int32_t slot = state.elements[0].slot[0];  // the pair's first node: no other element of the pair has it
+  const Eigen::Vector3d place = state.coordinates.get(slot);
+  constexpr double kStep = 1e-6;
+  double worst = 0, largest = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    Eigen::Vector3d moved = place;
+    moved[axis] += kStep;
+    state.coordinates.set(slot, moved);
+    const double above = energy();
+    moved[axis] -= 2 * kStep;
+    state.coordinates.set(slot, moved);
+    const double slope = (above - energy()) / (2 * kStep);
+    state.coordinates.set(slot, place);
+    worst = std::max(worst, std::abs(slope - rows[axis * kBlockSize]));
+    largest = std::max(largest, std::abs(slope));
+  }
+  expect_below("pair's force against the slope of its energy, relative", worst / largest, 1e-7,
+               "central differences of second order");
+}
+
 TEST_F(VerificationBatch, InstructionSetsGiveTheSameBits) {
   for (const bool variable : {false, true}) {
-    Batch state = irregular_batch(0.5, variable);
+    Batch state = with_pairs(irregular_batch(1, variable), false);
     const ElementBatch batch = state.build();
-    const std::vector<std::uint8_t> flags(batch.block_count(), variable ? 1 : 0);
     const auto run = [&](element_kernel::Kernel kernel) {
       AlignedVector<double> rows(static_cast<std::size_t>(batch.block_count()) * kForceRows * kBlockSize);
-      const double power = kernel(&batch.block(0), flags.data(), 0, batch.block_count(), state.coordinates.arrays(),
-                                  state.velocities.arrays(), rows.data());
-      rows.push_back(power);
+      const BatchPower power = kernel(batch.view(), 0, batch.block_count(), state.coordinates.arrays(),
+                                      state.velocities.arrays(), rows.data());
+      rows.insert(rows.end(), {power.dissipated, power.fed});
       return rows;
     };
     const auto baseline = run(element_kernel::baseline::element_forces);

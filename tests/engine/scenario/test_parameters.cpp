@@ -64,7 +64,7 @@ TEST(ParameterTable, DeclaresEveryMember) {
   // Does not compile when a member is added; then declare it in the table and count it here.
   const Scenario s;
   [[maybe_unused]] const auto& [n, d, pocket, net, rope, rods, spacecraft, target, contact, closing, towing, solver,
-                                output] = s;
+                                output, files] = s;
   const auto count = [](std::string_view group) { return parameters_of(*find_parameter_group(group)).size(); };
   EXPECT_EQ(count(""), 2u);
   {
@@ -77,16 +77,16 @@ TEST(ParameterTable, DeclaresEveryMember) {
     EXPECT_EQ(count("rope"), 7u);
   }
   {
-    [[maybe_unused]] const auto& [a, b, c, e, f, g, h, i, j, k, l, m] = rods;
-    EXPECT_EQ(count("rods"), 12u);
+    [[maybe_unused]] const auto& [a, b, c, e, f, g, h, i, j, k, l, m, o] = rods;
+    EXPECT_EQ(count("rods"), 13u);
   }
   {
     [[maybe_unused]] const auto& [a, b, c, e, f] = spacecraft;
     EXPECT_EQ(count("spacecraft"), 5u);
   }
   {
-    [[maybe_unused]] const auto& [a, b, c, e, f, g, h, i, j, k, l, m] = target;
-    EXPECT_EQ(count("target"), 12u);
+    [[maybe_unused]] const auto& [a, b, c, e, f, g, h, i, j, k, l, m, o, p, q, r, t, u] = target;
+    EXPECT_EQ(count("target"), 18u);
   }
   {
     [[maybe_unused]] const auto& [a, b, c, e, f] = contact;
@@ -101,8 +101,8 @@ TEST(ParameterTable, DeclaresEveryMember) {
     EXPECT_EQ(count("towing"), 5u);
   }
   {
-    [[maybe_unused]] const auto& [a, b, c, e, f, g] = solver;
-    EXPECT_EQ(count("solver"), 6u);
+    [[maybe_unused]] const auto& [a, b, c, e, f, g, h] = solver;
+    EXPECT_EQ(count("solver"), 7u);
   }
   {
     [[maybe_unused]] const auto& [a, b] = output;

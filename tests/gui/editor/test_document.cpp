@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <QFile>
 #include <QSignalSpy>
+#include <QTemporaryDir>
 
 #include "engine/scenario/read_scenario.h"
 #include "gui/workbench/editor/presets.h"
@@ -185,6 +187,27 @@ TEST(ScenarioDocument, TextEditIsACommand) {
   EXPECT_EQ(document->scenario().target.radius, 3.5);
   document->undo_stack()->undo();
   EXPECT_EQ(document->scenario().target.radius, 4.5);
+}
+
+TEST(ScenarioDocument, MeshesAreLookedForBesideTheFile) {
+  const QTemporaryDir folder;
+  QFile mesh(folder.filePath("corner.obj"));
+  ASSERT_TRUE(mesh.open(QIODevice::WriteOnly));
+  mesh.write("v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  mesh.close();
+  TemporaryDocument document;
+  EXPECT_FALSE(document->set_value(parameter("target.shape"), Choice{static_cast<int>(TargetShape::mesh)}));
+  EXPECT_FALSE(document->set_value(parameter("target.mesh_file"), std::string("corner.obj")));
+  EXPECT_NE(document->diagnostics().text().find("has no file yet"), std::string::npos);
+  EXPECT_FALSE(document->save_as(folder.filePath("own.toml")));
+  EXPECT_TRUE(document->diagnostics().ok()) << document->diagnostics().text();
+  // History from before the file had a folder finds it too.
+  document->undo_stack()->undo();
+  EXPECT_NE(document->diagnostics().text().find("needs a file"), std::string::npos);
+  document->undo_stack()->redo();
+  EXPECT_TRUE(document->diagnostics().ok()) << document->diagnostics().text();
+  EXPECT_TRUE(document->open(folder.filePath("own.toml")).ok());
+  EXPECT_TRUE(document->diagnostics().ok()) << document->diagnostics().text();
 }
 
 }  // namespace

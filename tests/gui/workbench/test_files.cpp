@@ -2,15 +2,19 @@
 
 #include <QAbstractButton>
 #include <QDir>
+#include <QFile>
 #include <QTest>
 #include <QUndoStack>
 
 #include "engine/recording/recording.h"
 #include "gui/workbench/editor/message_bar.h"
 #include "gui/workbench/editor/scenario_editor.h"
+#include "gui/workbench/export/export_dialog.h"
+#include "gui/workbench/export/export_tray.h"
 #include "gui/workbench/lost_runs_bar.h"
 #include "gui/workbench/run_file_actions.h"
 #include "gui/workbench/session/run_folder.h"
+#include "gui/workbench/viewport/viewport.h"
 #include "tests/gui/workbench/window_fixture.h"
 
 namespace netpocket {
@@ -136,6 +140,39 @@ TEST_F(WindowTest, ScenarioOfACrashedSessionIsOffered) {
   }
   EXPECT_EQ(window_->document().scenario().closing.duration, 3);
   EXPECT_TRUE(window_->isWindowModified());
+}
+
+TEST_F(WindowTest, ExportsFromTheCameraOfTheView) {
+  ASSERT_TRUE(run_to(0.1));
+  window_->viewport().set_preset(CameraPreset::mouth);
+  ShownView shown{window_->viewport().view(), {}, 0.1};
+  shown.display.color_by = ColorBy::tension;
+  shown.display.contact_arrows = true;
+  ExportDialog dialog(folder_.path(), "quick", shown, nullptr);
+  dialog.choose(ExportKind::sheet);
+  dialog.set_target(file("sheet.png"));
+  EXPECT_TRUE(dialog.uses_view());
+  const QStringList arguments = dialog.arguments("run.h5", "view.toml");
+  EXPECT_FALSE(arguments.contains("--camera"));
+  EXPECT_EQ(arguments[arguments.indexOf("--view") + 1], "view.toml");
+  EXPECT_EQ(arguments[arguments.indexOf("--color-by") + 1], "tension");
+  EXPECT_TRUE(arguments.contains("--arrows"));
+  window_->run_files().export_as(dialog);
+  ASSERT_TRUE(wait_until([&] { return QFile::exists(file("sheet.png")) || !window_->notice().isEmpty(); }, 60));
+  EXPECT_EQ(window_->notice(), QString());
+}
+
+TEST_F(WindowTest, ExportsAReport) {
+  ASSERT_TRUE(run_to(0.1));
+  ExportDialog dialog(folder_.path(), "quick", {}, nullptr);
+  dialog.choose(ExportKind::report);
+  EXPECT_FALSE(dialog.uses_view());
+  dialog.set_target(file("report.html"));
+  window_->run_files().export_as(dialog);
+  ASSERT_TRUE(wait_until([&] { return window_->exports().is_busy(); }));
+  ASSERT_TRUE(wait_until([&] { return !window_->exports().is_busy(); }, 120));
+  EXPECT_EQ(window_->notice(), QString());
+  EXPECT_TRUE(QFile::exists(file("report.html")));
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // Target and spacecraft dragged in the view.
 
 #include <QAction>
+#include <QApplication>
+#include <QMouseEvent>
 #include <QTest>
 #include <QUndoStack>
 
@@ -75,7 +77,6 @@ class PlacementTest : public WindowTest {
 
 TEST_F(PlacementTest, DragOfTheTargetIsOneEditOfTheScenario) {
   window_->view_actions().move_action()->trigger();
-  QTest::qWait(50);
   const Eigen::Vector3d before = window_->document().scenario().target.position;
   drag(target(), {30, 0});
   const Eigen::Vector3d after = window_->document().scenario().target.position;
@@ -87,6 +88,17 @@ TEST_F(PlacementTest, DragOfTheTargetIsOneEditOfTheScenario) {
   screenshot("moving");
   window_->document().undo_stack()->undo();
   EXPECT_EQ(window_->document().scenario().target.position, before);
+}
+
+// From the side the net is before the target.
+TEST_F(PlacementTest, TheNetIsNotInTheWay) {
+  window_->viewport().set_preset(CameraPreset::side);
+  ASSERT_TRUE(wait_for_picture());
+  window_->view_actions().move_action()->trigger();
+  const Eigen::Vector3d before = window_->document().scenario().target.position;
+  for (int i = 0; i < 5; ++i) drag(target() + QPoint(3 * i, 2 * i), {0, 20}, Qt::ShiftModifier);
+  EXPECT_EQ(window_->document().undo_stack()->count(), 5);
+  EXPECT_NE(window_->document().scenario().target.position, before);
 }
 
 TEST_F(PlacementTest, WithoutTheToolADragOrbits) {

@@ -5,7 +5,10 @@
 #include <QTest>
 #include <QUndoStack>
 #include <QUrl>
+#include <algorithm>
 
+#include "gui/workbench/editor/message_bar.h"
+#include "gui/workbench/editor/scenario_editor.h"
 #include "gui/workbench/export/export_tray.h"
 #include "gui/workbench/file_actions.h"
 #include "gui/workbench/panels/findings_panel.h"
@@ -109,6 +112,79 @@ TEST_F(WindowTest, BranchSharesThePastAndKeepsTheOriginal) {
   screenshot("branch");
 }
 
+TEST_F(WindowTest, DivergenceNamesThePlaceAndKeepsTheFrames) {
+  Scenario scenario = quick_scenario();
+  scenario.solver.time_step = 4e-3;  // ten times what its elements allow
+  window_->document().start_from(scenario);
+  window_->run_actions().restart();
+  auto& session = window_->session();
+  ASSERT_TRUE(wait_until([&] { return session.live() && session.live()->status.reason == RunReason::diverged; }));
+  const QString notice = window_->notice();
+  const auto& threads = session.live()->structure->threads;
+  EXPECT_TRUE(std::ranges::any_of(threads, [&](const std::string& name) {
+    return notice.contains(QString::fromStdString(name));
+  })) << notice.toStdString();
+  EXPECT_TRUE(notice.contains("solver.time_step")) << notice.toStdString();
+  EXPECT_GT(session.live()->frame_count(), 0u);
+  screenshot("diverged");
+  // What was wrong can be put right, and a new run made; the diverged one stays.
+  ASSERT_FALSE(window_->document().set_value(parameter("solver.time_step"), 0.0));
+  ASSERT_TRUE(run_to(0.1));
+  EXPECT_EQ(session.runs().ids().size(), 2u);
+}
+
+TEST_F(WindowTest, StrategyThatNeedsARestartSaysSo) {
+  ASSERT_TRUE(run_to(0.2));
+  ASSERT_FALSE(window_->document().set_value(parameter("net.diameter"), 0.005));
+  EXPECT_EQ(window_->editor().keys_that_need_restart(), QStringList{"net.diameter"});
+  EXPECT_FALSE(window_->editor().restart_bar()->isHidden());
+  screenshot("needs_restart");
+  window_->editor().restart_requested();
+  EXPECT_TRUE(wait_until([&] { return window_->session().runs().ids().size() == 2; }));
+  EXPECT_TRUE(window_->editor().keys_that_need_restart().isEmpty());
+}
+
+TEST_F(WindowTest, FrictionAndTowingActOnTheRunTheyAreEditedIn) {
+  ASSERT_TRUE(run_to(0.2));
+  const std::vector<std::pair<const char*, double>> edits = {{"contact.friction", 0.7}, {"towing.start", 1.5}};
+  for (const auto& edit : edits) {
+    const Parameter& changed = parameter(edit.first);
+    ASSERT_FALSE(window_->document().set_value(changed, edit.second));
+    const auto acts = [&] {
+      return std::get<double>(changed.get(window_->session().live()->scenario)) == edit.second;
+    };
+    ASSERT_TRUE(wait_until(acts)) << edit.first;
+  }
+  EXPECT_TRUE(window_->editor().keys_that_need_restart().isEmpty());
+  // Each change is a mark on the timeline.
+  const auto& notes = window_->session().live()->notes;
+  EXPECT_EQ(std::ranges::count(notes, TimeMark::Kind::strategy, &TimeMark::kind), 2);
+}
+
+TEST_F(WindowTest, TakesADroppedRecording) {
+  ASSERT_TRUE(run_to(0.1));
+  window_->session().runs().save(window_->session().current()->id, file("dropped.h5"));
+  ASSERT_TRUE(wait_until([&] { return window_->session().runs().unsaved().empty(); }));
+  QMimeData data;
+  data.setUrls({QUrl::fromLocalFile(file("dropped.h5"))});
+  QDropEvent drop(QPointF(100, 100), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(window_.get(), &drop);
+  ASSERT_TRUE(wait_until([&] { return window_->session().current()->name == "dropped"; }));
+  EXPECT_EQ(window_->session().current()->state, RunState::recorded);
+}
+
+TEST_F(WindowTest, SavedCamerasComeBackInTheNextSession) {
+  ASSERT_TRUE(wait_until([&] { return window_->viewport().state().structure != nullptr; }));
+  window_->viewport().set_preset(CameraPreset::mouth);
+  const CameraView view = window_->viewport().view();
+  QTest::keyClick(&window_->viewport(), Qt::Key_6, Qt::ControlModifier | Qt::ShiftModifier);
+  reopen();
+  window_->viewport().set_preset(CameraPreset::side);
+  QTest::keyClick(&window_->viewport(), Qt::Key_6);
+  EXPECT_LT((window_->viewport().view().position - view.position).norm(), 1e-12);
+  EXPECT_EQ(window_->viewport().view().half_height, view.half_height);
+}
+
 TEST_F(WindowTest, ClosesWhileRunning) {
   window_->document().start_from(Scenario{});
   window_->run_actions().restart();
@@ -205,6 +281,26 @@ TEST_F(WindowTest, EditingAfterARunShowsThePreviewAndSaysSo) {
   screenshot("preview_after_run");
   window_->timeline().go_to(0.05);
   EXPECT_EQ(window_->viewport().state().structure->rod_tips.size(), 8u);
+}
+
+TEST_F(WindowTest, ShowsTrailsAndTheInitialShape) {
+  ASSERT_TRUE(run_to(0.4));
+  EXPECT_EQ(window_->viewport().state().history, nullptr);
+  QTest::keyClick(&window_->viewport(), Qt::Key_R);
+  QTest::keyClick(&window_->viewport(), Qt::Key_I);
+  QTest::keyClick(&window_->viewport(), Qt::Key_A);
+  const auto history = window_->viewport().state().history;
+  ASSERT_TRUE(history);
+  ASSERT_TRUE(history->initial);
+  EXPECT_EQ(history->initial->time, 0);
+  ASSERT_EQ(history->paths.size(), 2u);  // spacecraft and target
+  EXPECT_EQ(history->paths[0].times.size(), window_->session().current()->frame_count());
+  EXPECT_TRUE(wait_for_picture());
+  screenshot("trails");
+  // A preview of another pocket has no past.
+  ASSERT_FALSE(window_->document().set_value(parameter("pocket.rod_count"), std::int64_t{6}));
+  ASSERT_TRUE(wait_until([&] { return window_->viewport().state().structure->rod_tips.size() == 6; }));
+  EXPECT_EQ(window_->viewport().state().history, nullptr);
 }
 
 TEST_F(WindowTest, FollowsADarkDesktop) {

@@ -52,6 +52,7 @@ void WindowTest::answer_question(QMessageBox::StandardButton button) {
   QObject::connect(timer, &QTimer::timeout, timer, [timer, button] {
     auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
     if (box == nullptr) return;
+    timer->stop();
     timer->deleteLater();
     box->button(button)->click();
   });

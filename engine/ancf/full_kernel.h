@@ -1,0 +1,26 @@
+#pragma once
+// The instruction-set variants of the full element's kernel and the choice between them. Internal to FullBatch.
+
+#include "engine/ancf/element_batch.h"
+
+namespace netpocket::full_kernel {
+
+// Rates dp1/dt (m/s) of eight elements.
+struct alignas(64) StartRates {
+  double value[kBlockSize] = {};
+};
+
+using Kernel = BatchPower (*)(const BatchView& batch, const StartRates* start_rates, int first, int last,
+                              const SlotArrays& coordinates, const SlotArrays& velocities, double* forces);
+
+namespace baseline {
+BatchPower element_forces(const BatchView&, const StartRates*, int, int, const SlotArrays&, const SlotArrays&, double*);
+}
+namespace avx2 {
+BatchPower element_forces(const BatchView&, const StartRates*, int, int, const SlotArrays&, const SlotArrays&, double*);
+}
+namespace avx512 {
+BatchPower element_forces(const BatchView&, const StartRates*, int, int, const SlotArrays&, const SlotArrays&, double*);
+}
+
+}  // namespace netpocket::full_kernel

@@ -1,0 +1,51 @@
+#include "engine/ancf/wrinkling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace netpocket {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+// Curvatures beyond this are bent at the ultimate moment: the formulas lose their digits as u -> 0, and the moment
+// differs from its limit by less than 1e-3.
+constexpr double kLargestRatio = 1e4;
+
+// u in (0, pi] with sin u - u cos u = value, by Newton's method inside a bracket.
+double taut_angle(double value) {
+  double low = 0, high = kPi;
+  double u = std::min(std::cbrt(3 * value), kPi);  // the leading term, u^3/3
+  for (int i = 0; i < 60; ++i) {
+    const double error = std::sin(u) - u * std::cos(u) - value;
+    (error > 0 ? high : low) = u;
+    const double slope = u * std::sin(u);
+    double next = slope > 0 ? u - error / slope : low;
+    if (!(next > low && next < high)) next = 0.5 * (low + high);
+    if (std::abs(next - u) <= 1e-15 * u) return next;
+    u = next;
+  }
+  return u;
+}
+
+InflatedBending wrinkled(double k) {
+  const double u = taut_angle(kPi / k);
+  const double cosine = std::cos(u), doubled = std::sin(2 * u);
+  InflatedBending result(0);
+  result.moment = (2 * u - doubled) * k / (2 * kPi);
+  result.energy = 1 + k * k * (u * cosine * cosine + u / 2 - 0.75 * doubled) / kPi + 2 * k * cosine;
+  return result;
+}
+
+}  // namespace
+
+double wrinkling_moment(double pressure, double radius) { return kPi * pressure * radius * radius * radius / 2; }
+
+InflatedBending::InflatedBending(double k) : moment(k), energy(k * k / 2) {
+  if (k <= 1) return;
+  const double within = std::min(k, kLargestRatio);
+  *this = wrinkled(within);
+  energy += moment * (k - within);
+}
+
+}  // namespace netpocket

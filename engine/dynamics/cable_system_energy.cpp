@@ -1,0 +1,141 @@
+#include "engine/ancf/full_element.h"
+#include "engine/ancf/strain_pair.h"
+#include "engine/dynamics/cable_system_impl.h"
+#include "engine/dynamics/hinge_forces.h"
+
+namespace netpocket {
+namespace {
+
+// Rows of ElementBatch::states.
+constexpr std::size_t kStrain = 0, kStrainRate = 1, kBendingEnergy = 2;
+
+}  // namespace
+
+void CableSystem::Impl::compute_states() {
+  element_states.resize(static_cast<std::size_t>(batch.block_count()) * kStateRows * kBlockSize);
+  batch.states(coordinates.arrays(), velocities.arrays(), element_states.data());
+}
+
+// Row `row` of the last compute_states.
+double CableSystem::Impl::element_state(std::size_t element, std::size_t row) const {
+  return element_states[(element / kBlockSize * kStateRows + row) * kBlockSize + element % kBlockSize];
+}
+
+// What an element's tension follows of a row: its own value or that of its pair.
+double CableSystem::Impl::resisted(std::size_t element, std::size_t row) const {
+  const std::int32_t mate = elements[element].mate;
+  const double own = element_state(element, row);
+  return mate < 0 ? own : paired_strain(own, element_state(static_cast<std::size_t>(mate), row));
+}
+
+double CableSystem::Impl::tension(std::size_t element) const {
+  const CableSection& section = elements[element].section;
+  const double strain = resisted(element, kStrain);
+  return section.axial_stiffness(strain) * (strain + section.axial_damping * resisted(element, kStrainRate));
+}
+
+double CableSystem::Impl::strain_energy() const {
+  double energy = wrinkling.energy(coordinates);
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    if (options.evaluation == ElementEvaluation::full) {
+      const ElementCoordinates q = gather(coordinates, i);
+      const FullElement element(elements[i].section, span(i));
+      energy += element.axial_energy(q) + element.bending_energy(q);
+    } else {
+      const double strain = resisted(i, kStrain);
+      const double stiffness = elements[i].section.axial_stiffness(strain) * element_length[i];
+      energy += 0.5 * stiffness * strain * element_state(i, kStrain) + element_state(i, kBendingEnergy);
+    }
+  }
+  for (const Hinge& hinge : model.hinges) {
+    const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
+    energy += hinge_forces(hinge, coordinates.get(layout.gradient(hinge.gradient1)),
+                           coordinates.get(layout.gradient(hinge.gradient2)), zero, zero,
+                           hinge.body >= 0 ? bodies[hinge.body].rigid().rotation() : Eigen::Matrix3d::Identity(), zero)
+                  .energy;
+  }
+  return energy;
+}
+
+// Of the velocities half a step on, where positions are.
+double CableSystem::Impl::kinetic_energy() {
+  const double half_kick = 0.5 * last_dt;
+  double energy = 0;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    energy += bodies[b].kinetic_energy_after(wrenches[b], controls[b], half_kick);
+  }
+  if (consistent_mass) {
+    compute_accelerations();
+    SlotVectors velocity(layout.size());
+    for (std::int32_t slot = 0; slot < layout.size(); ++slot) {
+      velocity.set(slot, velocities.get(slot) + half_kick * accelerations.get(slot));
+    }
+    return energy + consistent_mass->kinetic_energy(velocity, mass);
+  }
+  SlotVectors mean_velocity = velocities, unused = coordinates;
+  kick_and_drift(mean_velocity, unused, inverse_mass, half_kick, 0);
+  for (std::int32_t slot = 0; slot < layout.size(); ++slot) {
+    if (inverse_mass[slot] != 0) energy += 0.5 * mass[slot] * mean_velocity.get(slot).squaredNorm();
+  }
+  return energy;
+}
+
+// Work of gravity and constant loads up to an additive constant.
+double CableSystem::Impl::load_work() const {
+  double work = 0;
+  for (std::int32_t slot = 0; slot < layout.size(); ++slot) work += constant_load.get(slot).dot(coordinates.get(slot));
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    work += model.bodies[b].mass * model.gravity.dot(bodies[b].centre());
+  }
+  return work;
+}
+
+EnergyAudit CableSystem::Impl::audit() {
+  const double half_kick = 0.5 * last_dt;
+  compute_states();
+  EnergyAudit result;
+  result.kinetic = kinetic_energy();
+  result.strain = strain_energy();
+  result.dissipated =
+      dissipated + half_kick * (element_power.dissipated + hinge_power + contacts.dissipated_power(velocities, bodies));
+  result.input = input_work + half_kick * element_power.fed + load_work() - initial_load_work;
+  result.error = result.kinetic + result.strain + result.dissipated - result.input - initial_energy;
+  return result;
+}
+
+EnergyAudit CableSystem::audit() {
+  impl_->compute_forces(impl_->last_dt > 0 ? impl_->last_dt : 1e-4);
+  return impl_->audit();
+}
+
+EnergyAudit CableSystem::capture(Snapshot& snapshot) {
+  Impl& s = *impl_;
+  s.compute_forces(s.last_dt > 0 ? s.last_dt : 1e-4);
+  const EnergyAudit energies = s.audit();
+  snapshot.time = s.time;
+  snapshot.step = s.steps;
+  snapshot.positions.resize(3, s.layout.node_count);
+  snapshot.velocities.resize(3, s.layout.node_count);
+  snapshot.gradients.resize(3, s.layout.gradient_count);
+  for (std::int32_t i = 0; i < s.layout.node_count; ++i) {
+    snapshot.positions.col(i) = position(i);
+    snapshot.velocities.col(i) = velocity(i);
+  }
+  for (std::int32_t i = 0; i < s.layout.gradient_count; ++i) snapshot.gradients.col(i) = gradient(i);
+  snapshot.tension.resize(static_cast<Eigen::Index>(s.elements.size()));
+  snapshot.strain.resize(static_cast<Eigen::Index>(s.elements.size()));
+  for (std::size_t i = 0; i < s.elements.size(); ++i) {
+    snapshot.tension[static_cast<Eigen::Index>(i)] = s.tension(i);
+    snapshot.strain[static_cast<Eigen::Index>(i)] = s.element_state(i, kStrain);
+  }
+  snapshot.rope_element_length.clear();
+  for (std::int32_t rope = 0; rope < s.ropes.rope_count(); ++rope) {
+    snapshot.rope_element_length.push_back(s.ropes.element_length(rope));
+  }
+  snapshot.bodies.clear();
+  for (const DynamicBody& body : s.bodies) snapshot.bodies.push_back(body.state());
+  snapshot.contacts = s.contacts.contacts();
+  return energies;
+}
+
+}  // namespace netpocket

@@ -1,0 +1,101 @@
+#pragma once
+// The state of a CableSystem and what it does with it; shared by the sources of that class, internal to them:
+//   cable_system.cpp         set-up, state, questions
+//   cable_system_step.cpp    forces and the step
+//   cable_system_energy.cpp  energies, audit, snapshots
+
+#include <tbb/task_arena.h>
+
+#include "engine/ancf/full_batch.h"
+#include "engine/dynamics/assembly.h"
+#include "engine/dynamics/cable_system.h"
+#include "engine/dynamics/consistent_mass.h"
+#include "engine/dynamics/contact_solver.h"
+#include "engine/dynamics/rod_wrinkling.h"
+#include "engine/dynamics/rope_dynamics.h"
+
+namespace netpocket {
+
+struct CableSystem::Impl {
+  Impl(const Model& model, const SystemOptions& options);
+
+  // State at step n (positions) and n - 1/2 (velocities).
+  Model model;
+  SystemOptions options;
+  tbb::task_arena arena;
+  SlotLayout layout;
+  SlotVectors coordinates, velocities;
+  double time = 0;
+  double last_dt = 0;
+  std::int64_t steps = 0;
+
+  // Elements and masses.
+  std::vector<BatchElement> elements;
+  ElementBatch batch;
+  FullBatch full_batch;
+  Assembly assembly;
+  std::vector<double> constant_mass;  // by slot, without ropes
+  std::vector<double> mass;           // by slot
+  AlignedVector<double> inverse_mass;
+  std::vector<double> element_length;
+  std::optional<ConsistentMass> consistent_mass;
+  AlignedVector<double> unit_mass;
+  SlotVectors accelerations;  // by the consistent mass
+
+  // Parts.
+  std::vector<DynamicBody> bodies;
+  std::vector<BodyControl> controls;
+  RopeDynamics ropes;
+  RodWrinkling wrinkling;
+  ContactSolver contacts;
+
+  // Forces of the present state.
+  AlignedVector<double> element_forces;
+  AlignedVector<double> element_states;    // of the last audit
+  SlotVectors applied;                     // all but element forces
+  SlotVectors constant_load;               // gravity and loads
+  std::vector<std::int32_t> loaded_slots;  // where `applied` may differ from `constant_load`
+  std::vector<Wrench> wrenches;            // by body
+  BatchPower element_power;
+  double hinge_power = 0;
+  std::vector<BatchPower> chunk_power;
+
+  // Accounts since the start.
+  double input_work = 0, dissipated = 0, initial_energy = 0, initial_load_work = 0;
+  std::vector<Eigen::Vector3d> impulses;
+  double deepest_penetration = 0;
+
+  void set_initial_state();
+  void collect_mass();
+  void update_ropes();
+  bool moves(std::int32_t slot) const;
+  void set_constant_loads();
+  template <typename Function>
+  void for_chunks(int blocks, const Function& function);
+  void compute_element_forces();
+  void clear_applied();
+  void add_hinges();
+  void compute_forces(double dt);
+  void kick_and_drift(SlotVectors& v, SlotVectors& x, const AlignedVector<double>& inverse_masses, double kick,
+                      double drift);
+  void compute_accelerations();
+  void move_slots(double kick, double drift);
+  void step(double dt);
+  Eigen::Vector3d slot_force(std::int32_t slot) const {
+    return assembly.element_force(slot, element_forces.data()) + applied.get(slot);
+  }
+  std::string contact_of(std::int32_t element) const;
+  ElementCoordinates gather(const SlotVectors& vectors, std::size_t element) const;
+  MaterialSpan span(std::size_t element) const;
+  void compute_states();
+  double element_state(std::size_t element, std::size_t row) const;
+  double resisted(std::size_t element, std::size_t row) const;
+  double tension(std::size_t element) const;
+  double strain_energy() const;
+  double kinetic_energy();
+  double load_work() const;
+  EnergyAudit audit();
+  bool looks_sound() const;
+};
+
+}  // namespace netpocket

@@ -1,0 +1,42 @@
+#pragma once
+// Inflated rods that wrinkle: what bending beyond the wrinkling moment differs from the linear law of the elements
+// (ancf/wrinkling.h). Applied per element to its root mean square curvature
+//   kappa^2 = (s.s + 3 a.a)/L^2,   s = g1 - g2,  a = g1 + g2 - 2 e,  e = (r2 - r1)/L,
+// whose linear energy EI L kappa^2/2 is that of mean_strain_element.h. Both evaluations use it: a correction, for few
+// elements at a time.
+
+#include <span>
+#include <vector>
+
+#include "engine/ancf/element_batch.h"
+#include "engine/dynamics/slot_state.h"
+#include "engine/model/model.h"
+
+namespace netpocket {
+
+class RodWrinkling {
+ public:
+  // Elements of kind `rod`.
+  RodWrinkling(const Model& model, std::span<const BatchElement> elements);
+
+  // Wrinkling moment (N m) from now on of the rods of a material.
+  void set_moment(std::int32_t material, double moment);
+
+  // Adds to `applied` what the rods resist less than the linear law says; slots concerned are added to `touched`.
+  void add_forces(const SlotVectors& coordinates, SlotVectors& applied, std::vector<std::int32_t>& touched) const;
+  // Energy less that of the linear law, <= 0. J
+  double energy(const SlotVectors& coordinates) const;
+
+ private:
+  struct Rod {
+    std::int32_t slot[4];
+    std::int32_t material;
+    double length, EI, moment;
+  };
+  void find_whether_any_can_wrinkle();
+
+  std::vector<Rod> rods_;
+  bool can_wrinkle_ = false;  // whether any moment is finite: most models spend no time here
+};
+
+}  // namespace netpocket

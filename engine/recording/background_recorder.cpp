@@ -1,0 +1,106 @@
+#include "engine/recording/background_recorder.h"
+
+#include <condition_variable>
+#include <deque>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <variant>
+
+namespace netpocket {
+
+struct BackgroundRecorder::Impl {
+  Impl(const std::string& path, const RunOrigin& origin, const Structure& structure, bool overwrite)
+      : recorder(path, origin, structure, overwrite), writer([this] { write_frames(); }) {}
+  ~Impl() { drain(); }
+
+  void write_frames();
+  void write(std::variant<Snapshot, Checkpoint> entry);
+  void drain();
+  void rethrow();
+
+  Recorder recorder;  // the writer's until it is joined
+  std::mutex mutex;   // guards what follows
+  std::condition_variable changed;
+  std::deque<std::variant<Snapshot, Checkpoint>> queue;
+  bool closing = false;
+  std::exception_ptr failure;  // of the first frame that could not be written; later ones are dropped
+  std::thread writer;
+};
+
+void BackgroundRecorder::Impl::write_frames() {
+  std::unique_lock lock(mutex);
+  while (true) {
+    changed.wait(lock, [this] { return closing || !queue.empty(); });
+    if (queue.empty()) return;
+    const std::variant<Snapshot, Checkpoint> entry = std::move(queue.front());
+    queue.pop_front();
+    const bool wanted = failure == nullptr;
+    lock.unlock();
+    changed.notify_one();
+    std::exception_ptr error;
+    try {
+      if (wanted) std::visit([this](const auto& value) { recorder.write(value); }, entry);
+    } catch (...) {
+      error = std::current_exception();
+    }
+    lock.lock();
+    if (error) failure = error;
+  }
+}
+
+void BackgroundRecorder::Impl::write(std::variant<Snapshot, Checkpoint> entry) {
+  {
+    std::unique_lock lock(mutex);
+    changed.wait(lock, [this] { return queue.size() < kBackgroundFrames; });
+    rethrow();
+    queue.push_back(std::move(entry));
+  }
+  changed.notify_one();
+}
+
+void BackgroundRecorder::Impl::drain() {
+  if (!writer.joinable()) return;
+  {
+    const std::lock_guard lock(mutex);
+    closing = true;
+  }
+  changed.notify_one();
+  writer.join();
+}
+
+void BackgroundRecorder::Impl::rethrow() {
+  if (failure) std::rethrow_exception(failure);
+}
+
+BackgroundRecorder::BackgroundRecorder(const std::string& path, const RunOrigin& origin, const Structure& structure,
+                                       bool overwrite)
+    : impl_(std::make_unique<Impl>(path, origin, structure, overwrite)) {}
+
+BackgroundRecorder::~BackgroundRecorder() = default;
+
+void BackgroundRecorder::write(Snapshot snapshot) { impl_->write(std::move(snapshot)); }
+
+void BackgroundRecorder::write(Checkpoint checkpoint) { impl_->write(std::move(checkpoint)); }
+
+// The writer has nothing to do before the first frame.
+void BackgroundRecorder::hold_back(std::size_t frame_count) { impl_->recorder.hold_back(frame_count); }
+
+bool BackgroundRecorder::is_published() const { return impl_->recorder.is_published(); }
+
+void BackgroundRecorder::finish(const RunStatus& status, const RunStatistics& statistics) {
+  impl_->drain();
+  if (!impl_->failure) {
+    impl_->recorder.finish(status, statistics);
+    return;
+  }
+  // Where there is room the recording says why it lacks its last frames.
+  try {
+    impl_->recorder.finish({RunReason::storage_failed, status.time, "a frame could not be written"}, statistics);
+  } catch (const RecordingError&) {
+    // What is thrown below says more.
+  }
+  impl_->rethrow();
+}
+
+}  // namespace netpocket

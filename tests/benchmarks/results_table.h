@@ -1,0 +1,27 @@
+#pragma once
+// Collects what the benchmarks measure and writes it as Markdown: machine, commit, one table with ratios to the
+// reference element of the same run, since times of different runs do not compare.
+
+#include <benchmark/benchmark.h>
+
+#include <string>
+#include <vector>
+
+namespace netpocket {
+
+class ResultsTable : public benchmark::ConsoleReporter {
+ public:
+  void ReportRuns(const std::vector<Run>& runs) override;
+  // Throws std::runtime_error when the file cannot be written.
+  void write(const std::string& path) const;
+
+ private:
+  struct Row {
+    std::string name;
+    double cpu_seconds;  // per iteration
+    benchmark::UserCounters counters;
+  };
+  std::vector<Row> rows_;
+};
+
+}  // namespace netpocket
