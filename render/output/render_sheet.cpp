@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "render/output/png_file.h"
 #include "render/render_error.h"
 #include "render/scene/time_label.h"
@@ -46,6 +48,8 @@ void render_sheet(const std::vector<const Recording*>& recordings, const std::ve
   if (view.frame.scene.color_by == ColorBy::none) view.share = {0.96, 0.92};
   view = common_view(recordings, view);
   SheetLayout layout = options.layout;
+  // Captions of small panels must not run into each other.
+  layout.caption_size = std::min(layout.caption_size, std::max(8, view.frame.width / 16));
   if (recordings.size() > 1) layout.columns = static_cast<int>(recordings.size());
   std::vector<SheetPanel> panels(recordings.size() * times.size());
   // Run by run, because each has a scene of its own; row by row on the sheet.

@@ -1,7 +1,6 @@
 #include "tests/pictures/made_up_recordings.h"
 
 #include <cmath>
-#include <limits>
 
 #include "engine/recording/recorder.h"
 #include "engine/scenario/scenario.h"
@@ -12,7 +11,6 @@
 namespace netpocket::pictures {
 namespace {
 
-constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
 constexpr int kFrames = 11;
 constexpr double kTargetRadius = 4.5;
 
@@ -56,7 +54,6 @@ Snapshot pocket_frame(const Structure& structure, int frame) {
   auto snapshot = synthetic::make_snapshot(structure, time, closed);
   auto& target = snapshot.bodies[1];
   target.position += Eigen::Vector3d(0.06 * time, -0.012 * time * time, -0.03 * time);
-  snapshot.bodies[0].position += Eigen::Vector3d(0, -0.01 * time, 0);
   add_contacts(structure, snapshot, closed);
   const Channel target_channels[] = {Channel::target_x, Channel::target_y, Channel::target_z};
   const Channel spacecraft_channels[] = {Channel::spacecraft_x, Channel::spacecraft_y, Channel::spacecraft_z};
@@ -99,11 +96,10 @@ void write_broken_recording(const std::string& path) {
   const auto structure = synthetic::make_structure();
   Recorder recorder(path, made_up_origin("broken"), structure, true);
   auto snapshot = pocket_frame(structure, 5);
-  for (Eigen::Index node = 0; node < snapshot.positions.cols(); node += 7) snapshot.positions.col(node).setConstant(kNowhere);
-  for (Eigen::Index i = 0; i < snapshot.tension.size(); i += 5) snapshot.tension[i] = kNowhere;
-  snapshot.bodies[1].position.setConstant(kNowhere);
+  for (Eigen::Index node = 0; node < snapshot.positions.cols(); node += 41) snapshot.positions.col(node) *= 1.8;
+  snapshot.gradients *= 4;
+  snapshot.tension *= 1e6;
   recorder.write(snapshot);
-  finish(recorder, 5);
 }
 
 void write_series_recording(const std::string& path, const std::string& name, double closing_time) {
@@ -121,11 +117,7 @@ void write_series_recording(const std::string& path, const std::string& name, do
 }
 
 void write_empty_series_recording(const std::string& path) {
-  write_channels(path, made_up_origin("nothing"), 20, [](Snapshot& snapshot, std::size_t i) {
-    snapshot.time = 0.1 * static_cast<double>(i);
-    snapshot.channels.fill(kNowhere);
-    snapshot.channel(Channel::time) = snapshot.time;
-  });
+  write_channels(path, made_up_origin("nothing"), 1, [](Snapshot&, std::size_t) {});
 }
 
 }  // namespace netpocket::pictures

@@ -13,13 +13,14 @@ namespace netpocket::pictures {
 void write_pocket_recording(const std::string& path, const std::string& name = "made_up",
                             const Shape& target = Sphere{4.5});
 
-// As the pocket recording's middle, but every seventh node, some tensions and the target are nowhere (NaN).
+// A run that diverged and was killed: one frame, cords flung away, no end. (The recorder refuses numbers that are not
+// finite.)
 void write_broken_recording(const std::string& path);
 
 // Channels only, for figures: closing in `closing_time` s.
 void write_series_recording(const std::string& path, const std::string& name, double closing_time);
 
-// A run of which every channel but the time is NaN.
+// A run of one frame, in which nothing has happened.
 void write_empty_series_recording(const std::string& path);
 
 }  // namespace netpocket::pictures

@@ -14,11 +14,11 @@ struct PictureDifference {
 
 PictureDifference compare_pictures(const Image& actual, const Image& baseline);
 
-// The same program and the same Mesa give the same bytes. Other processors have other vector widths: with
-// LP_NATIVE_VECTOR_WIDTH=128 instead of 256, edges of the pictures here move on no more than 1 pixel in 10 000 and
-// RMSE stays below 0.0006. The bounds leave room for that and stay well below the smallest thing to be seen, a missing
-// label (test_comparison.cpp).
-inline constexpr double kLargestBeyond = 5e-4;
+// The same program and the same Mesa give the same bytes, also with another width of vectors (LP_NATIVE_VECTOR_WIDTH=128
+// instead of 256). Other releases of Mesa and of the font library round edges and letters otherwise: the bounds leave
+// room for 46 of the 153 600 pixels of a frame here, and stay below the smallest thing to be seen: a missing label
+// changes 100 pixels, the rod that is hidden most 97 (test_comparison.cpp).
+inline constexpr double kLargestBeyond = 3e-4;
 inline constexpr double kLargestRmse = 4e-3;
 
 bool equal_enough(const PictureDifference& difference);

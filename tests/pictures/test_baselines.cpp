@@ -80,7 +80,7 @@ INSTANTIATE_TEST_SUITE_P(
         PictureCase{"ghost_and_trails", {"POCKET", "--times", "10", "--ghost", "--trails"}},
         PictureCase{"title", {"POCKET", "--title", "Made-up capture"}},
         PictureCase{"transparent", {"POCKET", "--transparent", "--target-opacity", "0.6"}},
-        PictureCase{"box", {"BOX"}}, PictureCase{"cylinder", {"CYLINDER"}}, PictureCase{"broken", {"BROKEN"}},
+        PictureCase{"box", {"BOX"}}, PictureCase{"cylinder", {"CYLINDER"}}, PictureCase{"broken", {"BROKEN", "--times", "5"}},
         PictureCase{"jagged", {"POCKET", "--supersampling", "1"}},
         PictureCase{"tall", {"POCKET", "--size", "240x400"}},
         PictureCase{"side_by_side", {"POCKET", "OTHER", "--size", "300x300"}}),
@@ -125,7 +125,7 @@ INSTANTIATE_TEST_SUITE_P(
                     PictureCase{"figure11", {"FASTEST", "--figure", "figure11_spacecraft_position"}},
                     PictureCase{"energy", {"SERIES", "--figure", "energy"}},
                     PictureCase{"tension_figure", {"SERIES", "FASTER", "--figure", "tension"}},
-                    PictureCase{"no_data", {"NOTHING", "--figure", "figure06_position"}}),
+                    PictureCase{"one_frame", {"NOTHING", "--figure", "figure06_position"}}),
     test_name);
 
 }  // namespace
