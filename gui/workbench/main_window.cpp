@@ -153,7 +153,7 @@ void MainWindow::connect_panels() {
   connect(view_actions_, &ViewActions::second_view_toggled, this, &MainWindow::show_second_view);
   connect(view_actions_, &ViewActions::options_changed, this, [this](const SceneOptions& options) {
     const Run* run = session_->current();
-    const bool shown = run != nullptr && viewport_->state().structure == run->structure;
+    const bool shown = run != nullptr && run->structure && viewport_->state().structure == run->structure;
     if (shown) viewport_->set_history(history_.of(*run, options));
   });
   connect(run_files_, &RunFileActions::problem, this, &MainWindow::show_notice);
