@@ -163,9 +163,10 @@ void MainWindow::connect_panels() {
   connect(findings_updater_.get(), &FindingsUpdater::evaluated, this, [this](const FindingsResult& result) {
     findings_->set_findings(result.findings, result.running);
     const bool known = !result.findings.empty();
-    findings_->set_capture(!known            ? CaptureState::unknown
-                           : result.captured ? CaptureState::captured
-                                             : CaptureState::not_captured,
+    // A run that goes on may still capture the target.
+    findings_->set_capture(!known || (result.running && !result.captured) ? CaptureState::unknown
+                           : result.captured                              ? CaptureState::captured
+                                                                          : CaptureState::not_captured,
                            QString::fromStdString(known ? result.why_not : result.failure));
   });
 }
