@@ -153,7 +153,7 @@ void MainWindow::connect_panels() {
   connect(view_actions_, &ViewActions::second_view_toggled, this, &MainWindow::show_second_view);
   connect(view_actions_, &ViewActions::options_changed, this, [this](const SceneOptions& options) {
     const Run* run = session_->current();
-    const bool shown = run != nullptr && viewport_->state().structure == run->structure;
+    const bool shown = run != nullptr && run->structure && viewport_->state().structure == run->structure;
     if (shown) viewport_->set_history(history_.of(*run, options));
   });
   connect(run_files_, &RunFileActions::problem, this, &MainWindow::show_notice);
@@ -163,9 +163,10 @@ void MainWindow::connect_panels() {
   connect(findings_updater_.get(), &FindingsUpdater::evaluated, this, [this](const FindingsResult& result) {
     findings_->set_findings(result.findings, result.running);
     const bool known = !result.findings.empty();
-    findings_->set_capture(!known            ? CaptureState::unknown
-                           : result.captured ? CaptureState::captured
-                                             : CaptureState::not_captured,
+    // A run that goes on may still capture the target.
+    findings_->set_capture(!known || (result.running && !result.captured) ? CaptureState::unknown
+                           : result.captured                              ? CaptureState::captured
+                                                                          : CaptureState::not_captured,
                            QString::fromStdString(known ? result.why_not : result.failure));
   });
 }

@@ -159,6 +159,7 @@ void RunLibrary::add_recording(OpenedRecording opened) {
   run.first_frame = opened.first_frame;
   run.state = RunState::recorded;
   run.simulated_here = false;
+  run.continuable = why_not_resumable(recording, origin_).empty();
   run.temporary = opened.recovered;
   run.status = recording.status();
   run.statistics = recording.statistics();

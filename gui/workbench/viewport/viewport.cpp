@@ -4,6 +4,7 @@
 #include <QMouseEvent>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "gui/workbench/viewport/pick_panel.h"
 #include "gui/workbench/viewport/viewport_overlay.h"
