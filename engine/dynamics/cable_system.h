@@ -12,6 +12,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "engine/dynamics/dynamic_body.h"
@@ -65,8 +66,8 @@ class CableSystem {
   BodyState body(std::int32_t body) const;
   const RopeMotion& rope_motion(std::int32_t rope) const;
 
-  // Moves a node (m); for perturbed starts.
-  void displace(std::int32_t node, const Eigen::Vector3d& displacement);
+  // Moves the free nodes (m, by node) before the first step; energies count from the state so made.
+  void displace(std::span<const Eigen::Vector3d> displacements);
   // Imposed on a body from now on.
   void control(std::int32_t body, const BodyControl& control);
   // Replaces the law of winding of all ropes from now on.

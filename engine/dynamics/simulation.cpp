@@ -111,10 +111,11 @@ struct Simulation::Impl {
     if (scenario.solver.perturbation <= 0) return;
     std::mt19937 generator(static_cast<std::uint32_t>(scenario.solver.seed));
     std::uniform_real_distribution<double> uniform(-scenario.solver.perturbation, scenario.solver.perturbation);
-    for (std::size_t i = 0; i < pocket.model.nodes.size(); ++i) {
-      const Eigen::Vector3d displacement(uniform(generator), uniform(generator), uniform(generator));
-      if (pocket.model.nodes[i].support == Support::free) system.displace(static_cast<std::int32_t>(i), displacement);
+    std::vector<Eigen::Vector3d> displacements(pocket.model.nodes.size());
+    for (Eigen::Vector3d& displacement : displacements) {
+      for (double& component : displacement) component = uniform(generator);
     }
+    system.displace(displacements);
   }
 
   // Largest step in use at this time: the elements' (with safety) and, as the closing ropes shorten, that of their
