@@ -1,4 +1,3 @@
-#include "commit.h"
 #include "tests/benchmarks/results_table.h"
 
 #include <fmt/chrono.h>
@@ -8,6 +7,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "commit.h"
 #include "engine/ancf/instruction_set.h"
 
 namespace netpocket {

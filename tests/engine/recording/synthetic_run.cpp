@@ -73,7 +73,8 @@ Snapshot synthetic_frame(const Structure& structure, int index) {
 }
 
 Checkpoint synthetic_checkpoint(int index) {
-  Checkpoint checkpoint{.time = static_cast<double>(index)};
+  Checkpoint checkpoint;
+  checkpoint.time = index;
   for (int i = 0; i < 10000; ++i) checkpoint.state.push_back(std::sin(i) + index);
   if (index % 2 == 1) checkpoint.strategy = "name = \"faster\"\n";
   return checkpoint;
