@@ -69,7 +69,7 @@ double difference_to_reference(RandomElements& state) {
     full.set_start_rate(element, state.spans[i].start_rate);
   }
   AlignedVector<double> rows(static_cast<std::size_t>(batch.block_count()) * kForceRows * kBlockSize, -1.0);
-  const double power =
+  const BatchPower power =
       full.forces(batch, 0, batch.block_count(), state.coordinates.arrays(), state.velocities.arrays(), rows.data());
   double largest = 0, difference = 0, dissipated = 0, fed = 0;
   for (std::size_t i = 0; i < state.elements.size(); ++i) {
