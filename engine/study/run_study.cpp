@@ -26,7 +26,7 @@ struct Work {
 void make_folder(const std::string& path) {
   std::error_code error;
   std::filesystem::create_directories(path, error);
-  if (error) throw RecordingError(fmt::format("Cannot make the folder \"{}\": {}.", path, error.message()));
+  if (error) throw RecordingError(fmt::format("cannot make the folder \"{}\": {}", path, error.message()));
 }
 
 class StudyRunner {

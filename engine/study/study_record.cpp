@@ -157,7 +157,7 @@ void write_text_file(const std::string& path, const std::string& text) {
   if (out && !error) return;
   const std::string reason = error ? error.message() : std::strerror(errno);
   std::filesystem::remove(part, error);
-  throw RecordingError(fmt::format("Cannot write \"{}\": {}.", path, reason));
+  throw RecordingError(fmt::format("cannot write \"{}\": {}", path, reason));
 }
 
 std::string study_csv(const std::vector<StudyRecord>& records) {
