@@ -84,7 +84,7 @@ TEST_F(WindowTest, EveryRunGetsAFileOfItsOwn) {
 
 TEST_F(WindowTest, RunsOfACrashedSessionAreOffered) {
   ASSERT_TRUE(run_to(0.3));
-  const Run& run = *window_->session().current();
+  const netpocket::Run& run = *window_->session().current();
   const std::size_t frames = run.frame_count();
   window_->session().runs().flush(run.id, [](const QString&) {});
   window_->session().runs().finish_writing();

@@ -12,7 +12,7 @@ const QSizeF kSize(900, 700);
 
 ViewState case1_view(CameraPreset preset) {
   const PocketPreview pocket = preview_pocket(Scenario{});
-  ViewState state{pocket.structure, pocket.snapshot, std::make_shared<const SceneOptions>(), {}};
+  ViewState state{pocket.structure, pocket.snapshot, std::make_shared<const SceneOptions>(), {}, {}};
   state.camera = frame_view(preset, visible_points(*state.structure, *state.snapshot), kSize.width() / kSize.height());
   return state;
 }
