@@ -68,6 +68,10 @@ CableSystem::Impl::Impl(const Model& source, const SystemOptions& opts)
     consistent_mass.emplace(model, layout, mass, ropes.massive_slots());
     unit_mass.assign(layout.size(), 1.0);
   }
+  begin_accounts();
+}
+
+void CableSystem::Impl::begin_accounts() {
   initial_load_work = load_work();
   compute_forces(1e-4);
   const EnergyAudit start = audit();
@@ -218,8 +222,12 @@ Eigen::Vector3d CableSystem::gradient(std::int32_t gradient) const {
 BodyState CableSystem::body(std::int32_t body) const { return impl_->bodies[body].state(); }
 const RopeMotion& CableSystem::rope_motion(std::int32_t rope) const { return impl_->ropes.motion(rope); }
 
-void CableSystem::displace(std::int32_t node, const Eigen::Vector3d& displacement) {
-  impl_->coordinates.add(impl_->layout.position(node), displacement);
+void CableSystem::displace(std::span<const Eigen::Vector3d> displacements) {
+  for (std::size_t i = 0; i < displacements.size(); ++i) {
+    if (impl_->model.nodes[i].support != Support::free) continue;
+    impl_->coordinates.add(impl_->layout.position(static_cast<std::int32_t>(i)), displacements[i]);
+  }
+  impl_->begin_accounts();
 }
 void CableSystem::control(std::int32_t body, const BodyControl& control) { impl_->controls[body] = control; }
 void CableSystem::set_rope_motion(const std::function<RopeMotion(double)>& motion) { impl_->ropes.set_motion(motion); }

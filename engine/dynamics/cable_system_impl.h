@@ -66,6 +66,7 @@ struct CableSystem::Impl {
   double deepest_penetration = 0;
 
   void set_initial_state();
+  void begin_accounts();
   void collect_mass();
   void update_ropes();
   bool moves(std::int32_t slot) const;

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "engine/ancf/full_batch.h"
-#include "engine/ancf/full_element.h"
 #include "engine/ancf/instruction_set.h"
 #include "engine/bodies/sector_sum.h"
 #include "engine/dynamics/cable_system_impl.h"
