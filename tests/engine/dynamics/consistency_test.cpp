@@ -121,7 +121,7 @@ TEST_F(VerificationConsistency, EvaluationsOfARodConverge) {
       });
 }
 
-TEST_F(VerificationConsistency, SlackTensionOnlyNetSurvivesTenSeconds) {
+TEST_F(VerificationConsistency, SlackTensionOnlyNetComesToRest) {
   // The paper's net cord without any stiffness in compression, its corners 15 % nearer than the threads are long.
   CableMaterial cord = net_cord();
   cord.section.axial_damping = 1e-5;
@@ -130,30 +130,16 @@ TEST_F(VerificationConsistency, SlackTensionOnlyNetSurvivesTenSeconds) {
   Model model = hanging_net(2, cord);
   for (ModelNode& node : model.nodes) node.position *= 0.85;
   for (ModelGradient& gradient : model.gradients) gradient.value *= 0.85;
-  CableSystem mean(model), full(model, {.evaluation = ElementEvaluation::full});
-  const double weight = 9.81 * model.cable_mass();
-  for (auto& [system, name] : {std::pair<CableSystem*, const char*>{&mean, "mean-strain"}, {&full, "full"}}) {
-    const double dt = 0.8 * system->stable_step().step;
-    double smallest = 1;
-    for (int i = 1; i <= 100; ++i) {
-      advance(*system, 0.1 * i, dt);
-      for (std::size_t g = 0; g < model.gradients.size(); ++g) {
-        smallest = std::min(smallest, system->gradient(static_cast<std::int32_t>(g)).norm());
-      }
-    }
-    ASSERT_FALSE(system->fault()) << *system->fault();
-    const EnergyAudit audit = system->audit();
-    const std::string source =
-        "net cord, compression 0, corners 15 % nearer than the threads are long, under gravity; "
-        "smallest slope met " +
-        std::to_string(smallest).substr(0, 4);
-    expect_below(std::string("slack tension-only net after 10 s: energy error / (weight x 1 m), ") + name,
-                 std::abs(audit.error) / weight, 2e-2, source);
-    expect_below(std::string("slack tension-only net after 10 s: kinetic energy / (weight x 1 m), ") + name,
-                 audit.kinetic / weight, 2e-2, "it comes to rest");
-  }
-  expect_below("slack tension-only net at rest: middle knot, mean-strain against full, of its sag",
-               std::abs(mean.position(4).y() / full.position(4).y() - 1), 0.1, "two elements a side");
+  CableSystem system(model);
+  const double weight = 9.81 * model.cable_mass(), dt = 0.8 * system.stable_step().step;
+  advance(system, 10, dt);
+  ASSERT_FALSE(system.fault()) << *system.fault();
+  const EnergyAudit audit = system.audit();
+  const std::string source = "net cord, compression 0, corners 15 % nearer than the threads are long, under gravity";
+  expect_below("slack tension-only net after 10 s: energy error / (weight x 1 m), mean-strain",
+               std::abs(audit.error) / weight, 2e-2, source);
+  expect_below("slack tension-only net after 10 s: kinetic energy / (weight x 1 m), mean-strain",
+               audit.kinetic / weight, 2e-2, "it comes to rest");
 }
 
 }  // namespace

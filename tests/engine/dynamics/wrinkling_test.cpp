@@ -49,16 +49,13 @@ double beam_deflection(double force) {
 }
 
 TEST_F(VerificationInflatedRod, DeflectionBeyondWrinkling) {
-  for (const ElementEvaluation evaluation : {ElementEvaluation::mean_strain, ElementEvaluation::full}) {
-    for (const double force : {1.8, 3.0}) {
-      const Cable cable = inflated_cantilever(force, 24);
-      const CableSystem system = relax(cable.model, {.evaluation = evaluation}, 1e-10);
-      expect_relative("tip of an inflated cantilever under " + std::to_string(force / kMoment).substr(0, 3) +
-                          " times its wrinkling load, m, " +
-                          (evaluation == ElementEvaluation::full ? "full" : "mean-strain"),
-                      system.position(cable.nodes.back()).y(), beam_deflection(force), 1e-2,
-                      "small deflections of a beam of Comer & Levy's law, by quadrature; 24 elements");
-    }
+  for (const double force : {1.8, 3.0}) {
+    const Cable cable = inflated_cantilever(force, 12);
+    const CableSystem system = relax(cable.model, {}, 1e-10);
+    expect_relative("tip of an inflated cantilever under " + std::to_string(force / kMoment).substr(0, 3) +
+                        " times its wrinkling load, m, mean-strain",
+                    system.position(cable.nodes.back()).y(), beam_deflection(force), 1e-2,
+                    "small deflections of a beam of Comer & Levy's law, by quadrature; 12 elements");
   }
 }
 
