@@ -40,7 +40,11 @@ void BackgroundRecorder::Impl::write_frames() {
     changed.notify_one();
     std::exception_ptr error;
     try {
-      if (wanted) std::visit([this](const auto& value) { recorder.write(value); }, entry);
+      if (wanted) {
+        std::visit([this](const auto& value) { recorder.write(value); }, entry);
+        // What can be resumed from must not wait for the next frame's flush.
+        if (std::holds_alternative<Checkpoint>(entry)) recorder.flush();
+      }
     } catch (...) {
       error = std::current_exception();
     }

@@ -53,8 +53,10 @@ TEST(Info, JsonHasThePromisedKeys) {
     EXPECT_EQ(info.at("impulse").at(key), 0) << key;
   }
   EXPECT_TRUE(info.at("peak_force").contains("time_y"));
-  // The audit's bound of a whole run.
-  EXPECT_LT(info.at("energy_error"), 0.01);
+  // A tenth of a second puts in next to nothing, so that this is no measure yet; VerificationConservation has the bound of
+  // a whole capture.
+  EXPECT_GE(info.at("energy_error").get<double>(), 0);
+  EXPECT_LT(info.at("energy_error").get<double>(), 1);
 }
 
 TEST(Info, TextNamesTheScenario) {
