@@ -161,18 +161,6 @@ TEST_F(WindowTest, FrictionAndTowingActOnTheRunTheyAreEditedIn) {
   EXPECT_EQ(std::ranges::count(notes, TimeMark::Kind::strategy, &TimeMark::kind), 2);
 }
 
-TEST_F(WindowTest, TakesADroppedRecording) {
-  ASSERT_TRUE(run_to(0.1));
-  window_->session().runs().save(window_->session().current()->id, file("dropped.h5"));
-  ASSERT_TRUE(wait_until([&] { return window_->session().runs().unsaved().empty(); }));
-  QMimeData data;
-  data.setUrls({QUrl::fromLocalFile(file("dropped.h5"))});
-  QDropEvent drop(QPointF(100, 100), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-  QApplication::sendEvent(window_.get(), &drop);
-  ASSERT_TRUE(wait_until([&] { return window_->session().current()->name == "dropped"; }));
-  EXPECT_EQ(window_->session().current()->state, RunState::recorded);
-}
-
 TEST_F(WindowTest, SavedCamerasComeBackInTheNextSession) {
   ASSERT_TRUE(wait_until([&] { return window_->viewport().state().structure != nullptr; }));
   window_->viewport().set_preset(CameraPreset::mouth);
