@@ -183,21 +183,6 @@ TEST_F(PictureTest, PickedAndPlotted) {
   expect_like_baseline(picture(), "picked");
 }
 
-TEST_F(PictureTest, Measuring) {
-  open_recording();
-  window_->viewport().set_preset(CameraPreset::front);
-  ASSERT_TRUE(wait_for_picture());
-  window_->viewport().set_measuring(true);
-  const auto& state = window_->viewport().state();
-  for (const std::size_t rod : {0u, 3u}) {
-    const Eigen::Vector3d tip = state.snapshot->positions.col(state.structure->rod_tips[rod]);
-    const auto seen = OrbitCamera(state.camera).project(tip, window_->viewport().size());
-    QTest::mouseClick(&window_->viewport(), Qt::LeftButton, {}, seen->position.toPoint());
-  }
-  ASSERT_EQ(window_->viewport().measured().size(), 2u);
-  expect_like_baseline(picture(), "measuring");
-}
-
 TEST_F(PictureTest, TextWithAnError) {
   edit_scenario();
   editor().tabs()->setCurrentWidget(editor().text_page());
