@@ -112,8 +112,7 @@ Action declare_study(CLI::App& app) {
       ->check(whole_number(1, 256))
       ->capture_default_str();
   app.add_flag("--resume", choice->resume, "go on with a study in the same folder: only what is missing is run");
-  app.add_option("--report", choice->report, "also write the findings as a report (Markdown)")
-      ->type_name("FILE.md");
+  app.add_option("--report", choice->report, "also write the findings as a report (Markdown)")->type_name("FILE.md");
   app.add_flag("--quiet", choice->quiet, "no progress and no last line");
   app.footer(kFooter + exit_code_help({ExitCode::bad_input, ExitCode::io, ExitCode::interrupted}));
   return [choice](const std::string& command_line) { return run(*choice, command_line); };

@@ -161,8 +161,8 @@ void ViewActions::add_see_through(QMenu& menu) {
   action->setChecked(settings_.value("view/see_through", false).toBool());
 }
 
-void ViewActions::add_switch(QMenu& menu, const QString& text, const QKeySequence& shortcut,
-                             bool SceneOptions::*option, const QString& help) {
+void ViewActions::add_switch(QMenu& menu, const QString& text, const QKeySequence& shortcut, bool SceneOptions::*option,
+                             const QString& help) {
   auto* action = add(menu, text, shortcut, help);
   const QString key = "view/" + text.toLower();
   options_.*option = settings_.value(key, options_.*option).toBool();

@@ -15,8 +15,8 @@ struct SheetPanel {
 
 struct SheetLayout {
   int columns = 3;
-  int margin = 24;        // pixels, around and between panels
-  int caption_size = 26;  // pixels, height of the letters' line; 0: no captions
+  int margin = 24;                         // pixels, around and between panels
+  int caption_size = 26;                   // pixels, height of the letters' line; 0: no captions
   std::vector<std::string> headings = {};  // above the columns
 };
 

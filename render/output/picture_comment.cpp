@@ -28,9 +28,9 @@ std::string content(const RunView& view) {
   const auto range = scene.color_range.value_or(ValueRange{0, 0});
   const auto phases = scene.phases.value_or(PhaseTimes{});
   std::string text = fmt::format("{}x{} {} ", frame.width, frame.height, frame.supersampling);
-  text += fmt::format("{} {} {} {} {} {} ", static_cast<int>(scene.background), static_cast<int>(scene.color_by),
-                      range.low, range.high, scene.color_map ? static_cast<int>(*scene.color_map) : -1,
-                      scene.target_opacity);
+  text +=
+      fmt::format("{} {} {} {} {} {} ", static_cast<int>(scene.background), static_cast<int>(scene.color_by), range.low,
+                  range.high, scene.color_map ? static_cast<int>(*scene.color_map) : -1, scene.target_opacity);
   for (const bool shown : {scene.contact_arrows, scene.trails, scene.ghost, scene.legend, scene.time_label,
                            scene.scale_bar, scene.axes, scene.fast_smoothing, scene.transparent_background}) {
     text += shown ? '1' : '0';

@@ -26,7 +26,8 @@ RenderOutcome render_frames(const Recording& recording, const std::vector<double
                             const RenderProgressCallback& progress = {}, const std::stop_token& stop = {});
 
 // Several runs in one picture, next to each other from left to right, framed and coloured alike, each with its name in
-// the title. A run that has no frame at a time shows the nearest it has. Pictures are as many times wider than the view.
+// the title. A run that has no frame at a time shows the nearest it has. Pictures are as many times wider than the
+// view.
 RenderOutcome render_frames(const std::vector<const Recording*>& recordings, const std::vector<double>& times,
                             const RenderOptions& options, const RenderProgressCallback& progress = {},
                             const std::stop_token& stop = {});

@@ -73,8 +73,9 @@ Eigen::Vector3d followed_position(const Structure& structure, const Snapshot& sn
 }  // namespace
 
 SceneHistory recorded_history(const Recording& recording) {
-  return {recording.frame(0), body_paths(recording.structure(),
-                                         [&](Channel c) -> const std::vector<double>& { return recording.channel(c); })};
+  return {recording.frame(0), body_paths(recording.structure(), [&](Channel c) -> const std::vector<double>& {
+            return recording.channel(c);
+          })};
 }
 
 RunView common_view(const std::vector<const Recording*>& recordings, RunView view) {
@@ -106,8 +107,8 @@ RunRenderer::RunRenderer(const Recording& recording, const RunView& view)
       follows_(!complete_.view) {
   const auto first = recording.frame(0);
   followed_from_ = followed_position(recording.structure(), first);
-  view_ = complete_.view.value_or(frame_view(complete_.camera, visible_points(recording.structure(), first),
-                                             renderer_.aspect(), complete_.share));
+  view_ = complete_.view.value_or(
+      frame_view(complete_.camera, visible_points(recording.structure(), first), renderer_.aspect(), complete_.share));
   renderer_.set_view(view_);
   const auto& scene = complete_.frame.scene;
   if (scene.trails || scene.ghost) renderer_.scene().set_history(recorded_history(recording));

@@ -72,10 +72,9 @@ const std::vector<KeyFigure>& key_figures() {
          return fmt::format("{}; y at {:.4g} s, means over {:.3g} s", vector_text(s.peak_force), s.peak_time_y,
                             s.averaging_window);
        }},
-      {"Impulse on the target x, y, z (N\u2009s)",
-       [](const auto&, const auto& s) { return vector_text(s.impulse); }},
-      {"Energy error", [](const auto&,
-                          const auto& s) { return fmt::format("{:.3g} % of the energy put in", 100 * s.energy_error); }},
+      {"Impulse on the target x, y, z (N\u2009s)", [](const auto&, const auto& s) { return vector_text(s.impulse); }},
+      {"Energy error",
+       [](const auto&, const auto& s) { return fmt::format("{:.3g} % of the energy put in", 100 * s.energy_error); }},
       {"Model",
        [](const auto& r, const auto&) {
          const auto& n = r.statistics();
@@ -141,8 +140,9 @@ std::string report_page(const Recordings& recordings, const ReportMedia& media) 
       "13, 10377.</p>\n",
       names, kStyle, names);
   page += "<h2>Results</h2>\n" + summary_table(recordings);
-  page += fmt::format("<h2>Capture</h2>\n<figure id=\"sheet\"><img alt=\"the capture, step by step\" src=\"{}\"></figure>\n",
-                      data_url("image/png", media.sheet));
+  page += fmt::format(
+      "<h2>Capture</h2>\n<figure id=\"sheet\"><img alt=\"the capture, step by step\" src=\"{}\"></figure>\n",
+      data_url("image/png", media.sheet));
   if (!media.video.empty()) {
     page += fmt::format("<figure id=\"video\"><video controls loop muted src=\"{}\"></video></figure>\n",
                         data_url("video/mp4", media.video));

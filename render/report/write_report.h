@@ -1,6 +1,6 @@
 #pragma once
-// A run, or several next to each other, as one HTML file that opens without a network: what they came to, the capture as
-// a sheet and a video, the paper's findings and figures, and the scenarios.
+// A run, or several next to each other, as one HTML file that opens without a network: what they came to, the capture
+// as a sheet and a video, the paper's findings and figures, and the scenarios.
 
 #include <stop_token>
 #include <string>

@@ -69,8 +69,8 @@ class PocketScene {
   ArrowScale arrow_scale_;
   vtkSmartPointer<vtkRenderer> renderer_;
   std::vector<std::unique_ptr<SceneActor>> actors_;
-  GhostActor* ghost_ = nullptr;   // among the actors, when shown
-  TrailActor* trails_ = nullptr;  // likewise
+  GhostActor* ghost_ = nullptr;       // among the actors, when shown
+  TrailActor* trails_ = nullptr;      // likewise
   std::size_t first_annotation_ = 0;  // among the actors
   unsigned long start_observer_ = 0;
 };

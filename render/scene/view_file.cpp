@@ -92,10 +92,13 @@ CameraView read_view_file(const std::string& path) {
 }
 
 std::string view_text(const CameraView& view) {
-  const auto vector = [](const Eigen::Vector3d& v) { return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", v.x(), v.y(), v.z()); };
+  const auto vector = [](const Eigen::Vector3d& v) {
+    return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", v.x(), v.y(), v.z());
+  };
   std::string text = fmt::format("position = {}  # m, world\nfocal_point = {}  # m, world\nview_up = {}\n",
                                  vector(view.position), vector(view.focal_point), vector(view.view_up));
-  if (view.half_height > 0) return text + fmt::format("half_height = {:.6g}  # m, parallel projection\n", view.half_height);
+  if (view.half_height > 0)
+    return text + fmt::format("half_height = {:.6g}  # m, parallel projection\n", view.half_height);
   return text + fmt::format("view_angle = {:.6g}  # degrees, vertical\n", view.view_angle);
 }
 

@@ -10,7 +10,8 @@
 namespace netpocket {
 namespace {
 
-const std::vector<std::string> kCommands = {"run", "check", "render", "plot", "report", "export", "info", "findings", "backends"};
+const std::vector<std::string> kCommands = {"run",    "check", "render",   "plot",    "report",
+                                            "export", "info",  "findings", "backends"};
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
 

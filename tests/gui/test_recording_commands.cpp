@@ -53,8 +53,8 @@ TEST(Info, JsonHasThePromisedKeys) {
     EXPECT_EQ(info.at("impulse").at(key), 0) << key;
   }
   EXPECT_TRUE(info.at("peak_force").contains("time_y"));
-  // A tenth of a second puts in next to nothing, so that this is no measure yet; VerificationConservation has the bound of
-  // a whole capture.
+  // A tenth of a second puts in next to nothing, so that this is no measure yet; VerificationConservation has the bound
+  // of a whole capture.
   EXPECT_GE(info.at("energy_error").get<double>(), 0);
   EXPECT_LT(info.at("energy_error").get<double>(), 1);
 }

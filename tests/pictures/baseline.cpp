@@ -36,8 +36,7 @@ std::string leave_comparison(const Image& actual, const Image& baseline, const s
   }
   SheetLayout layout;
   layout.caption_size = 14;
-  const auto all =
-      make_contact_sheet({{actual, "actual"}, {baseline, "baseline"}, {difference, "difference"}}, layout);
+  const auto all = make_contact_sheet({{actual, "actual"}, {baseline, "baseline"}, {difference, "difference"}}, layout);
   write_png(all, left_picture(name, "comparison"));
   return where + "\n  " + left_picture(name, "comparison");
 }

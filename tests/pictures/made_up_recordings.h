@@ -1,6 +1,6 @@
 #pragma once
-// Recordings that never change, whatever the engine computes: the made-up pocket closing on a target, and runs made from
-// formulas for the figures.
+// Recordings that never change, whatever the engine computes: the made-up pocket closing on a target, and runs made
+// from formulas for the figures.
 
 #include <string>
 

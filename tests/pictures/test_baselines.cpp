@@ -66,8 +66,7 @@ INSTANTIATE_TEST_SUITE_P(
         PictureCase{"camera_mouth", {"POCKET", "--camera", "mouth"}},
         PictureCase{"camera_follow", {"POCKET", "--camera", "follow"}},
         PictureCase{"camera_of_a_view_file", {"POCKET", "--view", "VIEW"}},
-        PictureCase{"phase_open", {"POCKET", "--times", "0"}},
-        PictureCase{"phase_closed", {"POCKET", "--times", "8"}},
+        PictureCase{"phase_open", {"POCKET", "--times", "0"}}, PictureCase{"phase_closed", {"POCKET", "--times", "8"}},
         PictureCase{"phase_towing", {"POCKET", "--times", "10"}},
         PictureCase{"space", {"POCKET", "--background", "space"}},
         PictureCase{"tension", {"POCKET", "--color-by", "tension"}},
@@ -79,10 +78,9 @@ INSTANTIATE_TEST_SUITE_P(
         PictureCase{"contact_arrows_in_space", {"POCKET", "--arrows", "--background", "space", "--camera", "side"}},
         PictureCase{"ghost_and_trails", {"POCKET", "--times", "10", "--ghost", "--trails"}},
         PictureCase{"title", {"POCKET", "--title", "Made-up capture"}},
-        PictureCase{"transparent", {"POCKET", "--transparent", "--target-opacity", "0.6"}},
-        PictureCase{"box", {"BOX"}}, PictureCase{"cylinder", {"CYLINDER"}}, PictureCase{"broken", {"BROKEN", "--times", "5"}},
-        PictureCase{"jagged", {"POCKET", "--supersampling", "1"}},
-        PictureCase{"tall", {"POCKET", "--size", "240x400"}},
+        PictureCase{"transparent", {"POCKET", "--transparent", "--target-opacity", "0.6"}}, PictureCase{"box", {"BOX"}},
+        PictureCase{"cylinder", {"CYLINDER"}}, PictureCase{"broken", {"BROKEN", "--times", "5"}},
+        PictureCase{"jagged", {"POCKET", "--supersampling", "1"}}, PictureCase{"tall", {"POCKET", "--size", "240x400"}},
         PictureCase{"side_by_side", {"POCKET", "OTHER", "--size", "300x300"}}),
     test_name);
 
@@ -90,8 +88,8 @@ class Sheet : public testing::TestWithParam<PictureCase> {};
 
 TEST_P(Sheet, LooksLikeItsBaseline) {
   const TestFolder folder;
-  std::vector<std::string> arguments = {"render",  "--sheet",      folder.file("sheet.png"), "--backend", "osmesa",
-                                        "--quiet", "--panel-size", "200x200"};
+  std::vector<std::string> arguments = {"render", "--sheet", folder.file("sheet.png"), "--backend",
+                                        "osmesa", "--quiet", "--panel-size",           "200x200"};
   const auto options = with_recordings(GetParam().options, folder);
   arguments.insert(arguments.end(), options.begin(), options.end());
   run(arguments);

@@ -116,7 +116,8 @@ TEST_F(Rendering, ResumeDrawsWhatIsMissingOrDifferent) {
     render(options);
   };
   const auto whole = content(out + "/0001.png");
-  const auto long_ago = std::chrono::floor<std::chrono::hours>(fs::file_time_type::clock::now()) - std::chrono::hours(24);
+  const auto long_ago =
+      std::chrono::floor<std::chrono::hours>(fs::file_time_type::clock::now()) - std::chrono::hours(24);
   const auto mark = [&](const char* name) { fs::last_write_time(out + name, long_ago); };
   const auto kept = [&](const char* name) { return fs::last_write_time(out + name) == long_ago; };
   mark("/0000.png");
@@ -170,7 +171,8 @@ TEST_F(Rendering, BadViewsAreOneSentence) {
   bad("position = [1, 2, 3]\nfocal_point = [0, 0, 0]\nzoom = 2\n", "line 3: unknown key 'zoom'");
   bad("position = [1, 2, 3]\nfocal_point = [0, 0, 0]\nview_angle = 180\n", "between 0 and 170");
   bad("position = \n", "line 1");
-  expect_one_sentence(render({"-o", folder_.file("out"), "--view", folder_.file("none.toml")}, 3), "cannot read the view");
+  expect_one_sentence(render({"-o", folder_.file("out"), "--view", folder_.file("none.toml")}, 3),
+                      "cannot read the view");
 }
 
 // Each thing whose absence the program must explain; the last resort of the loader is a file that is no library.
@@ -282,7 +284,8 @@ TEST_F(Rendering, ReportIsOneFileThatNeedsNothingElse) {
     ++inside;
   }
   EXPECT_EQ(inside, 9);  // sheet, video and seven figures
-  for (const char* part : {"url(", "@import", "<script", "<link"}) EXPECT_EQ(text.find(part), std::string::npos) << part;
+  for (const char* part : {"url(", "@import", "<script", "<link"})
+    EXPECT_EQ(text.find(part), std::string::npos) << part;
   EXPECT_NE(text.find("&lt;other&gt; &amp; more"), std::string::npos);
   EXPECT_EQ(text.find("<other>"), std::string::npos);
   for (const char* part : {"data:image/png;base64,", "data:video/mp4;base64,", "data:image/svg+xml;base64,", "F11",

@@ -106,7 +106,7 @@ class Viewport : public QWidget {
   ViewState state_;
   ViewState shown_;
   CameraPreset preset_ = CameraPreset::iso;
-  bool framed_ = false;  // whether the camera has been aimed at a pocket
+  bool framed_ = false;      // whether the camera has been aimed at a pocket
   double aimed_aspect_ = 1;  // of the picture when the camera was set last
   bool follow_ = false;
   bool measuring_ = false;

@@ -122,7 +122,8 @@ TEST_F(VerificationCords, ElasticaOutOfThePlanesOfTheAxes) {
     expect_relative(std::string("elastica in space: shortening / L, ") + name, 1 - tip.dot(along), .16064172, 5e-3,
                     source);
     expect_below(std::string("elastica in space: off the plane of the load, m, ") + name,
-                 std::abs(tip.dot(along.cross(across))), 1e-6, "no torsion, no force across: what the relaxation leaves");
+                 std::abs(tip.dot(along.cross(across))), 1e-6,
+                 "no torsion, no force across: what the relaxation leaves");
   }
 }
 

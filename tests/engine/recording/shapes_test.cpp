@@ -121,11 +121,9 @@ TEST(RecordedShapes, TamperedOnesAreRefused) {
   EXPECT_EQ(integer("/structure/body_mesh", 2, -1), "a body names a mesh that does not exist");
   EXPECT_EQ(integer("/structure/mesh_size", 0, 2147483647), "a mesh is larger than what is stored of it");
   EXPECT_EQ(integer("/structure/mesh_size", 3, -1), "a mesh is larger than what is stored of it");
-  EXPECT_EQ(integer("/structure/mesh_triangles", 0, 100000),
-            "a mesh has a triangle with a corner that does not exist");
+  EXPECT_EQ(integer("/structure/mesh_triangles", 0, 100000), "a mesh has a triangle with a corner that does not exist");
   EXPECT_TRUE(integer("/structure/mesh_triangles", 0, 50).starts_with("a mesh is not watertight"));
-  EXPECT_EQ(number("/structure/mesh_vertices", 4, NAN),
-            "a mesh has a corner whose coordinates are not finite numbers");
+  EXPECT_EQ(number("/structure/mesh_vertices", 4, NAN), "a mesh has a corner whose coordinates are not finite numbers");
   EXPECT_EQ(number("/structure/body_detail", 3, 1.9), "a body has an impossible size or mass");  // span below the bus
   EXPECT_EQ(number("/structure/body_detail", 4, NAN), "a body has an impossible size or mass");
 }

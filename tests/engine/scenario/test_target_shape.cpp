@@ -97,7 +97,8 @@ TEST_F(TargetShapeTest, BadMeshesHaveTheirSentence) {
   MeshData open = samples::box({1, 1, 1});
   open.triangles.pop_back();
   write("inside/open.stl", samples::ascii_stl(open));
-  EXPECT_TRUE(problem_with("open.stl").starts_with("target.mesh_file: \"open.stl\" is not watertight: 3 of its edges "));
+  EXPECT_TRUE(
+      problem_with("open.stl").starts_with("target.mesh_file: \"open.stl\" is not watertight: 3 of its edges "));
   write("inside/cut.stl", "solid x\nvertex 1 2\n");
   EXPECT_EQ(problem_with("cut.stl"),
             "target.mesh_file: \"cut.stl\" cannot be read: line 2: a coordinate is not a number");

@@ -150,9 +150,7 @@ TEST_F(WindowTest, FrictionAndTowingActOnTheRunTheyAreEditedIn) {
   for (const auto& edit : edits) {
     const Parameter& changed = parameter(edit.first);
     ASSERT_FALSE(window_->document().set_value(changed, edit.second));
-    const auto acts = [&] {
-      return std::get<double>(changed.get(window_->session().live()->scenario)) == edit.second;
-    };
+    const auto acts = [&] { return std::get<double>(changed.get(window_->session().live()->scenario)) == edit.second; };
     ASSERT_TRUE(wait_until(acts)) << edit.first;
   }
   EXPECT_TRUE(window_->editor().keys_that_need_restart().isEmpty());
