@@ -51,8 +51,9 @@ class RecordedRun {
 
   // At the start of a run.
   void record_start() {
-    record_state();
+    // In this order: the first frame gives the recording its name, and from then on it must be resumable.
     record_checkpoint();
+    record_state();
   }
 
   // Returns how it ended.
