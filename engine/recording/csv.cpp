@@ -2,12 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-
 #include "engine/recording/recording.h"
+#include "engine/recording/text_file.h"
 
 namespace netpocket {
 
@@ -32,18 +28,9 @@ std::string row(const Recording& recording, std::size_t frame) {
 }  // namespace
 
 void write_channels_csv(const Recording& recording, const std::string& path) {
-  const std::string part = path + ".part";
-  errno = 0;
-  std::ofstream out(part, std::ios::binary | std::ios::trunc);
-  out << header();
-  for (std::size_t i = 0; i < recording.frame_count() && out; ++i) out << row(recording, i);
-  out.close();
-  std::error_code error;
-  if (out) std::filesystem::rename(part, path, error);
-  if (out && !error) return;
-  const std::string reason = error ? error.message() : std::strerror(errno);
-  std::filesystem::remove(part, error);
-  throw RecordingError(fmt::format("cannot write \"{}\": {}", path, reason));
+  std::string text = header();
+  for (std::size_t i = 0; i < recording.frame_count(); ++i) text += row(recording, i);
+  write_text_file(path, text);
 }
 
 }  // namespace netpocket

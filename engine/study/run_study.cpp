@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "engine/dynamics/run.h"
+#include "engine/recording/text_file.h"
 
 namespace netpocket {
 namespace {
@@ -48,7 +49,7 @@ class StudyRunner {
     }
     if (!study_.keep_recordings) std::filesystem::remove_all(folder_ + "/runs");
     StudyOutcome outcome = collect();
-    write_text_file(folder_ + "/study.csv", study_csv(outcome.records));
+    write_text_file(folder_ + "/study.csv", study_csv(study_, outcome.records));
     write_text_file(folder_ + "/study.json", study_json(study_, outcome.records).dump(1) + "\n");
     if (failure_) std::rethrow_exception(failure_);
     return outcome;

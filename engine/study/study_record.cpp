@@ -3,9 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
 #include <fstream>
 
 #include "engine/recording/report.h"
@@ -48,15 +45,13 @@ std::string csv_cell(const Json& value) {
 std::string csv_line(const std::vector<std::string>& cells) { return fmt::format("{}\n", fmt::join(cells, ",")); }
 
 // Settings that not all points share.
-std::vector<std::string> varied_keys(const std::vector<StudyRecord>& records) {
+std::vector<std::string> varied_keys(const std::vector<StudyPoint>& points) {
   std::vector<std::string> keys;
-  for (const StudyRecord& record : records) {
-    for (const auto& [key, value] : record["settings"].items()) {
-      const auto differs = [&, k = key, v = value](const StudyRecord& other) {
-        return !other["settings"].contains(k) || other["settings"][k] != v;
-      };
-      if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
-      if (std::any_of(records.begin(), records.end(), differs)) keys.push_back(key);
+  for (const StudyPoint& point : points) {
+    for (const Setting& setting : point.settings) {
+      const auto differs = [&](const StudyPoint& other) { return !std::ranges::count(other.settings, setting); };
+      if (std::ranges::count(keys, setting.key) > 0) continue;
+      if (std::ranges::any_of(points, differs)) keys.push_back(setting.key);
     }
   }
   return keys;
@@ -146,22 +141,8 @@ std::optional<StudyRecord> load_record(const std::string& path, const std::strin
   return usable ? std::optional(std::move(record)) : std::nullopt;
 }
 
-void write_text_file(const std::string& path, const std::string& text) {
-  const std::string part = path + ".part";
-  errno = 0;
-  std::ofstream out(part, std::ios::binary | std::ios::trunc);
-  out << text;
-  out.close();
-  std::error_code error;
-  if (out) std::filesystem::rename(part, path, error);
-  if (out && !error) return;
-  const std::string reason = error ? error.message() : std::strerror(errno);
-  std::filesystem::remove(part, error);
-  throw RecordingError(fmt::format("cannot write \"{}\": {}", path, reason));
-}
-
-std::string study_csv(const std::vector<StudyRecord>& records) {
-  const auto keys = varied_keys(records);
+std::string study_csv(const Study& study, const std::vector<StudyRecord>& records) {
+  const auto keys = varied_keys(study_points(study));
   const auto ids = finding_ids(records);
   std::vector<std::string> header = {"point", "place"};
   for (const std::string& key : keys) header.push_back(csv_cell(key));

@@ -29,12 +29,9 @@ std::string record_path(const std::string& folder, std::size_t index);
 // Nothing when there is no such record, or none of this identity.
 std::optional<StudyRecord> load_record(const std::string& path, const std::string& identity);
 
-// Replaces the file by one that holds the text; it is complete or as it was. Throws RecordingError.
-void write_text_file(const std::string& path, const std::string& text);
-
 // One row for each run, under a line of names: point, place, the settings that differ between points, variant, how it
 // ended, the summary's numbers, and for each finding yes or no and what was found. Refused points have one row.
-std::string study_csv(const std::vector<StudyRecord>& records);
+std::string study_csv(const Study& study, const std::vector<StudyRecord>& records);
 // {"study", "description", "rules" {finding: rule}, "points" [records]}.
 nlohmann::ordered_json study_json(const Study& study, const std::vector<StudyRecord>& records);
 

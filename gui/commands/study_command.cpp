@@ -4,6 +4,7 @@
 #include <memory>
 #include <thread>
 
+#include "engine/recording/text_file.h"
 #include "engine/study/findings_report.h"
 #include "engine/study/read_study.h"
 #include "engine/study/run_study.h"

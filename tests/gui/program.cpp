@@ -99,9 +99,11 @@ std::string TestFolder::write(const std::string& name, const std::string& text) 
 
 std::string scenario_file(const std::string& name) { return NETPOCKET_SOURCE_DIR "/scenarios/" + name; }
 
-std::string short_recording(const TestFolder& folder) {
+std::string short_recording(const TestFolder& folder, const std::vector<std::string>& more) {
   const std::string path = folder.file("run.h5");
-  const auto result = run_program({"run", scenario_file("case1.toml"), "-o", path, "--until", "0.1", "--quiet"});
+  std::vector<std::string> arguments = {"run", scenario_file("case1.toml"), "-o", path, "--until", "0.1", "--quiet"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  const auto result = run_program(arguments);
   EXPECT_EQ(result.exit_code, 0) << result.error;
   return path;
 }

@@ -55,6 +55,6 @@ class TestFolder {
 std::string scenario_file(const std::string& name);
 
 // A recording of the first moments of case 1; short, because most tests make one.
-std::string short_recording(const TestFolder& folder);
+std::string short_recording(const TestFolder& folder, const std::vector<std::string>& more = {});
 
 }  // namespace netpocket

@@ -81,7 +81,7 @@ TEST(Study, InterruptedItKeepsWhatIsDoneAndGoesOn) {
   EXPECT_EQ(result.exit_code, 130);
   EXPECT_TRUE(contains(result.out, "1 of 2 points done")) << result.out;
   EXPECT_TRUE(contains(result.error, "--resume goes on")) << result.error;
-  EXPECT_TRUE(contains(content(folder.file("out/study.csv")), "\n1,,"));
+  EXPECT_TRUE(contains(content(folder.file("out/study.csv")), "\n1,,0.02,"));
   EXPECT_FALSE(std::filesystem::exists(folder.file("out/runs")));
 }
 

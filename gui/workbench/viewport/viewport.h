@@ -30,6 +30,8 @@ class Viewport : public QWidget {
   // Another state of the same pocket.
   void set_snapshot(std::shared_ptr<const Snapshot> snapshot);
   const ViewState& state() const { return state_; }
+  // What the picture on the screen is of, and clicks pick from: state(), or one shortly before.
+  const ViewState& shown() const { return shown_; }
 
   // Of the run that is shown, for trails and the initial shape; null: none.
   void set_history(std::shared_ptr<const SceneHistory> history);

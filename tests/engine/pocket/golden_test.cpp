@@ -58,7 +58,6 @@ std::map<std::string, std::string> read_hashes() {
 void expect_golden(const std::string& name, const std::string& hash) {
   auto hashes = read_hashes();
   if (std::getenv("NETPOCKET_RENEW") == nullptr) {
-    if (!hashes.contains(name)) GTEST_SKIP() << "no hash is written yet: NETPOCKET_RENEW=1 ctest -j1 -R Golden";
     EXPECT_EQ(hash, hashes[name]) << name << "; if results were to change: NETPOCKET_RENEW=1 ctest -j1 -R Golden";
     return;
   }

@@ -19,6 +19,7 @@
 #include "gui/workbench/second_view.h"
 #include "gui/workbench/timeline/timeline_bar.h"
 #include "gui/workbench/view_actions.h"
+#include "gui/workbench/viewport/orbit_camera.h"
 #include "gui/workbench/viewport/viewport.h"
 #include "tests/gui/workbench/window_fixture.h"
 #include "tests/pictures/baseline.h"
@@ -181,6 +182,21 @@ TEST_F(PictureTest, PickedAndPlotted) {
   emit window_->viewport().plot_requested(*window_->viewport().selection());
   ASSERT_TRUE(wait_until([&] { return window_->plots().figure_name() == "picked"; }));
   expect_like_baseline(picture(), "picked");
+}
+
+TEST_F(PictureTest, Measuring) {
+  open_recording();
+  window_->viewport().set_preset(CameraPreset::front);
+  ASSERT_TRUE(wait_for_picture());
+  window_->viewport().set_measuring(true);
+  const ViewState& shown = window_->viewport().shown();
+  for (const std::size_t rod : {0u, 3u}) {
+    const Eigen::Vector3d tip = shown.snapshot->positions.col(shown.structure->rod_tips[rod]);
+    const auto seen = OrbitCamera(shown.camera).project(tip, window_->viewport().size());
+    QTest::mouseClick(&window_->viewport(), Qt::LeftButton, {}, seen->position.toPoint());
+  }
+  ASSERT_EQ(window_->viewport().measured().size(), 2u);
+  expect_like_baseline(picture(), "measuring");
 }
 
 TEST_F(PictureTest, TextWithAnError) {

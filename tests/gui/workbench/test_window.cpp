@@ -1,10 +1,7 @@
 #include <QDir>
-#include <QDropEvent>
 #include <QFile>
-#include <QMimeData>
 #include <QTest>
 #include <QUndoStack>
-#include <QUrl>
 #include <algorithm>
 
 #include "gui/workbench/editor/message_bar.h"
@@ -159,6 +156,15 @@ TEST_F(WindowTest, FrictionAndTowingActOnTheRunTheyAreEditedIn) {
   EXPECT_EQ(std::ranges::count(notes, TimeMark::Kind::strategy, &TimeMark::kind), 2);
 }
 
+TEST_F(WindowTest, TakesADroppedRecording) {
+  ASSERT_TRUE(run_to(0.1));
+  window_->session().runs().save(window_->session().current()->id, file("dropped.h5"));
+  ASSERT_TRUE(wait_until([&] { return window_->session().runs().unsaved().empty(); }));
+  drop(file("dropped.h5"));
+  ASSERT_TRUE(wait_until([&] { return window_->session().current()->name == "dropped"; }));
+  EXPECT_EQ(window_->session().current()->state, RunState::recorded);
+}
+
 TEST_F(WindowTest, SavedCamerasComeBackInTheNextSession) {
   ASSERT_TRUE(wait_until([&] { return window_->viewport().state().structure != nullptr; }));
   window_->viewport().set_preset(CameraPreset::mouth);
@@ -195,13 +201,7 @@ TEST_F(WindowTest, BrokenFilesAreRefusedInOneSentence) {
 
 TEST_F(WindowTest, TakesADroppedScenario) {
   write_file("dropped.toml", "name = \"dropped\"\n[pocket]\nrod_count = 6\n");
-  QMimeData data;
-  data.setUrls({QUrl::fromLocalFile(file("dropped.toml"))});
-  QDragEnterEvent enter(QPoint(100, 100), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-  QApplication::sendEvent(window_.get(), &enter);
-  EXPECT_TRUE(enter.isAccepted());
-  QDropEvent drop(QPointF(100, 100), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-  QApplication::sendEvent(window_.get(), &drop);
+  drop(file("dropped.toml"));
   EXPECT_EQ(window_->document().scenario().name, "dropped");
   EXPECT_EQ(window_->document().scenario().pocket.rod_count, 6);
   EXPECT_TRUE(window_->file_actions().recent().front().endsWith("dropped.toml"));

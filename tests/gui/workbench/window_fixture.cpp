@@ -2,10 +2,13 @@
 
 #include <QAbstractButton>
 #include <QApplication>
+#include <QDropEvent>
 #include <QElapsedTimer>
 #include <QFile>
+#include <QMimeData>
 #include <QTest>
 #include <QTimer>
+#include <QUrl>
 
 #include "gui/workbench/viewport/viewport.h"
 
@@ -80,13 +83,35 @@ bool WindowTest::run_to(double time) {
   });
 }
 
+namespace {
+
+// The picture is of what was asked for last: a picture of an older camera may come in between.
+bool is_up_to_date(const Viewport& viewport) {
+  const ViewState &asked = viewport.state(), &shown = viewport.shown();
+  return shown.snapshot == asked.snapshot && shown.camera.position == asked.camera.position &&
+         shown.camera.focal_point == asked.camera.focal_point && shown.camera.half_height == asked.camera.half_height;
+}
+
+}  // namespace
+
 bool WindowTest::wait_for_picture() {
   bool came = false;
   const auto connection = QObject::connect(&window_->viewport(), &Viewport::picture_shown, [&] { came = true; });
   window_->viewport().set_snapshot(window_->viewport().state().snapshot);
-  const bool shown = wait_until([&] { return came; });
+  const bool shown = wait_until([&] { return came && is_up_to_date(window_->viewport()); });
   QObject::disconnect(connection);
   return shown;
+}
+
+// Qt delivers a drop only to what took the drag that entered.
+void WindowTest::drop(const QString& path) {
+  QMimeData data;
+  data.setUrls({QUrl::fromLocalFile(path)});
+  QDragEnterEvent enter(QPoint(100, 100), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(window_.get(), &enter);
+  EXPECT_TRUE(enter.isAccepted());
+  QDropEvent dropped(QPointF(100, 100), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(window_.get(), &dropped);
 }
 
 void WindowTest::screenshot(const QString& name) {

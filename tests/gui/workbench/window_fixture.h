@@ -26,6 +26,8 @@ class WindowTest : public testing::Test {
   bool run_to(double time);
   // Until the viewport shows a picture of the state that it was given last.
   bool wait_for_picture();
+  // Drags a file into the window and lets it go.
+  void drop(const QString& path);
   // Presses a button of the next question that comes up.
   static void answer_question(QMessageBox::StandardButton button);
   // Makes the window anew, with the same settings and files.
