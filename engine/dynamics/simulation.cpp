@@ -143,6 +143,22 @@ struct Simulation::Impl {
     return rope_step_value;
   }
 
+  // The largest step not above `allowed` of which a whole number makes an output interval.
+  double dividing_step(double allowed) const {
+    const double frame = 1 / scenario.output.frame_rate;
+    return frame / std::max(1.0, std::ceil(frame / allowed));
+  }
+
+  // What has limited the smallest step so far: the elements as built set a bound that holds throughout, the closing
+  // ropes one that falls as they shorten. Contacts are no limit: they are no stiffer than the step resolves.
+  std::string step_limit() {
+    if (scenario.solver.time_step > 0) return "solver.time_step";
+    const double smallest = std::isfinite(smallest_step) ? smallest_step : allowed_step(0);
+    constexpr double kRoundOff = 1e-9;
+    if (smallest >= (1 - kRoundOff) * dividing_step(scenario.solver.safety * stable.step)) return stable.limit;
+    return "waves in the closing ropes, the shorter the faster";
+  }
+
   // Goes over to the laws of another scenario at the present time.
   void adopt(const Scenario& next) {
     const bool closing_changes = std::ranges::any_of(
@@ -323,7 +339,7 @@ RunStatistics Simulation::statistics() const {
   result.elements = static_cast<std::int32_t>(structure().elements.size());
   result.coordinates = 3 * (structure().node_count + structure().gradient_count);
   result.time_step = std::isfinite(impl_->smallest_step) ? impl_->smallest_step : impl_->allowed_step(0);
-  result.step_limit = impl_->scenario.solver.time_step > 0 ? "solver.time_step" : impl_->stable.limit;
+  result.step_limit = impl_->step_limit();
   result.evaluation = impl_->scenario.solver.evaluation == Evaluation::full ? "full" : "mean_strain";
   return result;
 }
