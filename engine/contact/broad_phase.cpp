@@ -69,10 +69,42 @@ bool collect_candidate(fcl::CollisionObjectd* a, fcl::CollisionObjectd* b, void*
   return false;  // go on
 }
 
-bool collect_pair(fcl::CollisionObjectd* a, fcl::CollisionObjectd* b, void* data) {
-  auto& found = *static_cast<std::vector<std::pair<int, int>>*>(data);
-  found.emplace_back(std::minmax(index_of(a), index_of(b)));
-  return false;
+// Sorts pairs of indices below `count`: by counting the first ones, then each short run by its second ones.
+std::vector<std::pair<int, int>> sorted(const std::vector<std::pair<int, int>>& pairs, std::size_t count) {
+  std::vector<std::size_t> end(count + 1, 0);  // of the pairs that begin with each index, from the second place on
+  for (const auto& [first, second] : pairs) ++end[static_cast<std::size_t>(first) + 1];
+  for (std::size_t i = 0; i < count; ++i) end[i + 1] += end[i];
+  std::vector<std::size_t> next(end.begin(), end.end() - 1);
+  std::vector<std::pair<int, int>> result(pairs.size());
+  for (const auto& pair : pairs) result[next[static_cast<std::size_t>(pair.first)]++] = pair;
+  const auto at = [&](std::size_t place) { return result.begin() + static_cast<std::ptrdiff_t>(place); };
+  for (std::size_t i = 0; i < count; ++i) std::sort(at(end[i]), at(end[i + 1]));
+  return result;
+}
+
+// Pairs of boxes within `margin` of each other along every axis, by a sweep along y (Cohen, Lin, Manocha & Ponamgi
+// 1995, doi:10.1145/199404.199437): for all pairs of a net less work than the tree's.
+std::vector<std::pair<int, int>> near_pairs(std::span<const AlignedBox3d> boxes, double margin) {
+  struct Entry {
+    double low_y, high_y, low_x, high_x, low_z, high_z;
+    int index;
+  };
+  std::vector<Entry> entries;
+  entries.reserve(boxes.size());
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const Vector3d &low = boxes[i].min(), &high = boxes[i].max();
+    entries.push_back(
+        {low.y(), high.y() + margin, low.x(), high.x() + margin, low.z(), high.z() + margin, static_cast<int>(i)});
+  }
+  std::ranges::sort(entries, {}, &Entry::low_y);
+  std::vector<std::pair<int, int>> pairs;
+  for (auto a = entries.begin(); a != entries.end(); ++a) {
+    for (auto b = a + 1; b != entries.end() && b->low_y <= a->high_y; ++b) {
+      if (b->low_x > a->high_x || a->low_x > b->high_x || b->low_z > a->high_z || a->low_z > b->high_z) continue;
+      pairs.emplace_back(std::minmax(a->index, b->index));
+    }
+  }
+  return sorted(pairs, boxes.size());
 }
 
 }  // namespace
@@ -139,10 +171,10 @@ bool BroadPhase::update(std::span<const AlignedBox3d> elements, std::span<const 
 void BroadPhase::rebuild(std::span<const AlignedBox3d> elements, std::span<const PlacedShape> bodies) {
   if (elements.size() != tree_->elements.size())
     throw std::invalid_argument("the broad phase was given boxes for another number of elements");
-  // Half the margin on either side, so that bodies and pairs follow the same rule.
-  for (std::size_t i = 0; i < elements.size(); ++i) tree_->elements[i].set_box(elements[i], 0.5 * margin_);
-  tree_->take_boxes();
-
+  if (!bodies.empty()) {
+    for (std::size_t i = 0; i < elements.size(); ++i) tree_->elements[i].set_box(elements[i], 0.5 * margin_);
+    tree_->take_boxes();
+  }
   candidates_.resize(bodies.size());
   BoxObject box;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -161,9 +193,7 @@ void BroadPhase::rebuild(std::span<const AlignedBox3d> elements, std::span<const
 
 std::span<const std::pair<int, int>> BroadPhase::pairs() {
   if (!pairs_current_) {
-    pairs_.clear();
-    tree_->manager.collide(&pairs_, &collect_pair);
-    std::sort(pairs_.begin(), pairs_.end());
+    pairs_ = near_pairs(built_elements_, margin_);
     pairs_current_ = true;
   }
   return pairs_;

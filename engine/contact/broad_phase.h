@@ -1,9 +1,9 @@
 #pragma once
 // Which cable elements may touch which bodies, and which other elements.
-// Element boxes live in FCL's dynamic tree of bounding boxes (Pan, Chitta & Manocha 2012,
-// doi:10.1109/ICRA.2012.6225337). The lists hold everything nearer than `margin`, so they stay complete until something
-// has moved by half of it; only then are they built again. They depend on the boxes alone, in ascending order, never on
-// the tree's history.
+// Bodies ask FCL's dynamic tree of the elements' bounding boxes (Pan, Chitta & Manocha 2012,
+// doi:10.1109/ICRA.2012.6225337); pairs of elements come from a sweep. The lists hold everything nearer than `margin`,
+// so they stay complete until something has moved by half of it; only then are they built again. They depend on the
+// boxes alone, in ascending order, never on the tree's history.
 //
 //   if (broad_phase.advance(largest_speed * dt)) broad_phase.update(element_boxes, bodies);
 //   for (int element : broad_phase.candidates(body)) ...
