@@ -39,6 +39,21 @@ void HostedRenderWindow::MakeCurrent() {
   if (host_) host_->make_current();
 }
 
+void HostedRenderWindow::keep_where_drawn() {
+  shown_ = false;
+  // The window makes all its framebuffers when it is first drawn in. Those it draws in grow with it; of the one for a
+  // display, the parts are taken away before.
+  const int width = GetSize()[0], height = GetSize()[1];
+  SetSize(1, 1);
+  MakeCurrent();
+  OpenGLInit();
+  Start();
+  End();
+  for (const unsigned side : {0U, 1U}) GetDisplayFramebuffer()->RemoveColorAttachment(side);
+  GetDisplayFramebuffer()->RemoveDepthAttachment();
+  SetSize(width, height);
+}
+
 void HostedRenderWindow::Frame() {
   if (shown_) Superclass::Frame();
 }

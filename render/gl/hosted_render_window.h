@@ -25,9 +25,9 @@ class HostedRenderWindow : public vtkGenericOpenGLRenderWindow {
   // framebuffer, for ReadPixels or BlitDisplayFramebuffer. Sizes are in pixels.
   static vtkSmartPointer<HostedRenderWindow> make(std::shared_ptr<GlHost> host, int width, int height);
 
-  // For windows that are only read: from now on pictures stay where they are drawn and are not copied for a display,
-  // which takes as long as drawing a third of them. Only read_rgba gets at them then.
-  void keep_where_drawn() { shown_ = false; }
+  // For windows that are only read: pictures stay where they are drawn. Nothing is copied for a display, which takes a
+  // third of the time of drawing, and no memory is kept for copies, which is five times that of a picture.
+  void keep_where_drawn();
 
   // The finished picture, 4 bytes a pixel, rows from the bottom; `rgba` holds as many.
   void read_rgba(std::uint8_t* rgba);

@@ -28,6 +28,7 @@ constexpr const char* kStyle = R"(
   .rule { color: #5a606b; font-size: 0.8rem; }
   figure { margin: 1.4rem 0; }
   img, svg, video { max-width: 100%; height: auto; display: block; }
+  svg { width: 900px; }
   video { border: 1px solid #d5d8de; }
   pre { background: #f5f6f8; padding: 1rem; overflow-x: auto; font: 0.8rem/1.45 "DejaVu Sans Mono", monospace; }
   summary { cursor: pointer; margin: 0.4rem 0; }

@@ -2,12 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cstdlib>
 #include <fstream>
 #include <map>
 #include <regex>
-#include <sstream>
 
 #include "render/output/png_file.h"
 #include "tests/gui/program.h"
@@ -43,12 +40,6 @@ struct Box {
   int left, top, width, height;
   int natural_width;  // of the picture or video, pixels
 };
-
-std::string content(const std::string& path) {
-  std::stringstream text;
-  text << std::ifstream(path, std::ios::binary).rdbuf();
-  return text.str();
-}
 
 std::map<std::string, Box> figures_of(const std::string& document) {
   std::map<std::string, Box> figures;
@@ -98,7 +89,8 @@ TEST(ReportPage, OpensInABrowserWithoutANetwork) {
     EXPECT_FALSE(is_blank(cut_out(shown, box))) << name << " is blank";
   }
   // As text, so that a reader can search for it.
-  for (const char* part : {"Y position", ">F11</th>", "First contact", "[closing]", "Target captured"}) {
+  for (const char* part :
+       {"Contact force on the target", ">F11</th>", "First contact", "[closing]", "Target captured"}) {
     EXPECT_NE(document->find(part), std::string::npos) << part;
   }
 }
