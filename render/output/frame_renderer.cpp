@@ -64,11 +64,13 @@ std::uint32_t mean_pixel(const std::uint16_t* sums) {
 // Means for a row of pixels: `channels` bytes for each.
 template <int samples, int channels>
 void average_columns(const std::uint16_t* sums, int width, std::uint8_t* means) {
-  for (int column = 0; column < width; ++column, sums += 4 * samples, means += channels) {
+  // Four bytes are written faster than three; the next pixel covers the last.
+  for (int column = 1; column < width; ++column, sums += 4 * samples, means += channels) {
     const std::uint32_t pixel = mean_pixel<samples>(sums);
-    // Four bytes are written faster than three; the next pixel covers the last.
-    std::memcpy(means, &pixel, column + 1 < width ? 4 : channels);
+    std::memcpy(means, &pixel, sizeof pixel);
   }
+  const std::uint32_t last = mean_pixel<samples>(sums);
+  std::memcpy(means, &last, channels);
 }
 
 // Splits a row of means into colour and alpha, taking the background out of the colour: what was drawn is

@@ -3,7 +3,6 @@
 #include <vtkCellArray.h>
 #include <vtkPoints.h>
 #include <vtkProperty.h>
-#include <vtkShaderProperty.h>
 
 #include <algorithm>
 
@@ -39,13 +38,6 @@ vtkSmartPointer<vtkCellArray> one_cell(vtkIdType point_count) {
   return cells;
 }
 
-// Points are squares otherwise.
-void make_round(vtkActor& points) {
-  points.GetShaderProperty()->AddFragmentShaderReplacement(
-      "//VTK::Light::Impl", true, "  if (length(gl_PointCoord - vec2(0.5)) > 0.5) discard;\n//VTK::Light::Impl\n",
-      false);
-}
-
 }  // namespace
 
 TrailActor::TrailActor(const Structure& structure, const SceneOptions& options) : line_scale_(options.line_scale) {
@@ -56,8 +48,7 @@ TrailActor::TrailActor(const Structure& structure, const SceneOptions& options) 
     set_points(*trail->dot, Eigen::Matrix3Xd::Zero(3, 1));
     trail->dot->SetVerts(one_cell(1));
     trail->line_actor = make_lines(trail->line, color);
-    trail->dot_actor = make_lines(trail->dot, color);
-    make_round(*trail->dot_actor);
+    trail->dot_actor = make_dots(trail->dot, color);
     for (const auto& actor : {trail->line_actor, trail->dot_actor}) {
       add_depth_fading(*actor, color, kInFront);
       props_.emplace_back(actor);

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Times pictures of one run by netpocket, by F3D and by a plain VTK Python script, in turns on the same machine.
 
-usage: picture_peers.py NETPOCKET RUN.h5     (under xvfb-run: the peers need a display, netpocket does not)
+usage: picture_peers.py NETPOCKET RUN.h5 RESULTS.md     (under xvfb-run: the peers need a display, netpocket does not)
 
 All draw 1280x720. The peers read the VTP series that netpocket exports, draw lines and bodies with the defaults of VTK and
 know no labels; netpocket draws its whole scene from the recording. Needs the Debian packages f3d, python3-vtk9 and xvfb.
@@ -82,25 +82,38 @@ def in_turns(contestants):
     return best
 
 
-def report_start(best):
-    print(f"\nFrom the start of the program to one PNG, best of {ROUNDS}: s, of processor time, ratios to netpocket")
+def start_table(best):
     own = best["netpocket"]
-    for name, times in best.items():
-        print(f"  {name:<26}{times.wall:8.3f}{times.cpu:8.3f}{times.wall / own.wall:8.2f}{times.cpu / own.cpu:8.2f}")
+    rows = [f"| {name} | {t.wall:.3f} | {t.cpu:.3f} | {t.wall / own.wall:.2f} | {t.cpu / own.cpu:.2f} |"
+            for name, t in best.items()]
+    return ["## From the start of the program to one PNG", "",
+            "| program | s | s of processor time | x netpocket | x its processor time |", "| --- | --- | --- | --- | --- |",
+            *rows]
 
 
-def report_rates(series, start, frames):
-    print(f"\nPictures drawn and written as PNG, without the start ({frames} pictures): a second, a second of processor time")
-    for name, (times, first) in {name: (series[name], start[START_OF[name]]) for name in series}.items():
-        wall, cpu = times.wall - first.wall, times.cpu - first.cpu
-        print(f"  {name:<26}{(frames - 1) / wall:8.1f}{(frames - 1) / cpu:8.1f}")
+def rate_table(series, start, frames):
+    rows = []
+    for name, times in series.items():
+        wall, cpu = times.wall - start[START_OF[name]].wall, times.cpu - start[START_OF[name]].cpu
+        rows.append(f"| {name} | {(frames - 1) / wall:.1f} | {(frames - 1) / cpu:.1f} |")
+    return [f"## Pictures drawn and written as PNG, without the start ({frames} pictures)", "",
+            "| program | a second | a second of processor time |", "| --- | --- | --- |", *rows]
+
+
+def heading():
+    commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True).stdout.strip()
+    return ["# Pictures by netpocket and by others", "",
+            "Written by `./dev bench`: 1280x720, one second of case 1, the best of several rounds in turns. Other programs on the",
+            "machine make the times longer and the seconds of processor time less so.", "",
+            f"- commit {commit or 'unknown'}, {time.strftime('%Y-%m-%d', time.gmtime())}",
+            f"- {os.cpu_count()} processors, load average at the end {os.getloadavg()[0]:.1f}"]
 
 
 START_OF = {"netpocket, plain": "netpocket", "netpocket, smoothed": "netpocket, smoothed",
             "VTK Python, plain": "plain VTK Python", "VTK Python, FXAA": "plain VTK Python"}
 
 
-def main(netpocket, run):
+def measure(netpocket, run):
     with tempfile.TemporaryDirectory() as folder:
         subprocess.run([netpocket, "export", run, "--vtp", folder, "--quiet"], check=True)
         frames = min(SERIES, len(glob.glob(f"{folder}/lines_*.vtp")))
@@ -112,7 +125,6 @@ def main(netpocket, run):
             "F3D": ["f3d", f"{folder}/lines_0000.vtp", "--resolution=1280,720", f"--output={folder}/f3d.png"],
             "plain VTK Python": peer + ["1", "plain"],
         })
-        report_start(start)
         times = ",".join(f"{i / 50:g}" for i in range(frames))
         series = in_turns({
             "netpocket, plain": render + ["--times", times, "--supersampling", "1"],
@@ -120,14 +132,21 @@ def main(netpocket, run):
             "VTK Python, plain": peer + [str(frames), "plain"],
             "VTK Python, FXAA": peer + [str(frames), "smooth"],
         })
-        report_rates(series, start, frames)
-        print(f"\nLoad average {os.getloadavg()[0]:.1f} on {os.cpu_count()} processors")
+    return ["", *start_table(start), "", *rate_table(series, start, frames)]
+
+
+def main(netpocket, run, results):
+    tables = measure(netpocket, run)
+    text = "\n".join(heading() + tables) + "\n"
+    print(text, end="")
+    with open(results, "w", encoding="utf-8") as file:
+        file.write(text)
 
 
 if __name__ == "__main__":
     if len(sys.argv) == 5 and sys.argv[1] == "--plain":
         plain_vtk(sys.argv[2], int(sys.argv[3]), sys.argv[4] == "smooth")
-    elif len(sys.argv) == 3:
-        main(sys.argv[1], sys.argv[2])
+    elif len(sys.argv) == 4:
+        main(*sys.argv[1:])
     else:
         sys.exit(__doc__)
