@@ -203,9 +203,16 @@ std::vector<FindingCase> faster_is_earlier(const Runs& runs) {
       });
 }
 
+// Largest |F_x| or |F_z|, whichever is less: of two that should appear, the one that hardly does.
+double lesser_lateral_peak(const RunHistory& run, FrameRange range) {
+  return std::min(std::abs(run.peak(Channel::contact_fx, range).value),
+                  std::abs(run.peak(Channel::contact_fz, range).value));
+}
+
 bool appear_only_after_closing(const RunHistory& run) {
   const double noticeable = kNoticeable * peak_y(run, run.all());
-  return run.lateral_peak(run.until_closed()) <= noticeable && run.lateral_peak(run.after_closed()) > noticeable;
+  return run.lateral_peak(run.until_closed()) <= noticeable &&
+         lesser_lateral_peak(run, run.after_closed()) > noticeable;
 }
 
 std::vector<FindingCase> lateral_forces_come_late(const Runs& runs) {
@@ -220,9 +227,12 @@ std::vector<FindingCase> lateral_forces_come_late(const Runs& runs) {
            most < kEqualWithinFactor * least;
   };
   return joint_verdict(runs, judge, [](const RunHistory& run) {
-    return fmt::format("largest of |F_x|, |F_z|: {:.3g} N before closing ends, {:.3g} N after; peak |F_y| {:.3g} N",
-                       run.lateral_peak(run.until_closed()), run.lateral_peak(run.after_closed()),
-                       peak_y(run, run.all()));
+    const FrameRange after = run.after_closed();
+    return fmt::format(
+        "largest of |F_x|, |F_z|: {:.3g} N before closing ends; |F_x| {:.3g} N, |F_z| {:.3g} N after; "
+        "peak |F_y| {:.3g} N",
+        run.lateral_peak(run.until_closed()), std::abs(run.peak(Channel::contact_fx, after).value),
+        std::abs(run.peak(Channel::contact_fz, after).value), peak_y(run, run.all()));
   });
 }
 
@@ -257,8 +267,8 @@ std::vector<Statement> statements() {
        "over runs sorted by the end of closing, the first frame with contact comes strictly later; one verdict for all",
        faster_is_earlier},
       {"F5", "Forces in x and z appear only after closing; the closing time hardly changes them.",
-       "|F_x| and |F_z| stay below 2 % of the run's peak |F_y| until closing ends and exceed it afterwards, and the "
-       "peaks after closing differ by less than a factor 2 between the runs; one verdict for all",
+       "|F_x| and |F_z| stay below 2 % of the run's peak |F_y| until closing ends and both exceed it afterwards, and "
+       "the larger peaks after closing differ by less than a factor 2 between the runs; one verdict for all",
        lateral_forces_come_late},
       {"F6", "The force in y is negative, then positive, then negative while closing (case 1).",
        "the first three episodes of F_y of one sign before closing ends are -, +, -; episodes with less than 2 % of "

@@ -101,10 +101,11 @@ struct ClosingParameters {
 
 struct TowingParameters {
   TowingMode mode = TowingMode::acceleration;
-  double start = 10;      // s
-  double duration = 4;    // s, length of the thrust or of the ramp
-  double size = 0.01;     // N, m/s^2 or m/s by mode; pulls towards -Y
-  double offset = 0.005;  // m, of the line of thrust from the axis, along +X
+  double start = 10;        // s
+  double duration = 4;      // s, length of the thrust or of the ramp
+  double size = 0.01;       // N, m/s^2 or m/s by mode; pulls towards -Y
+  double offset = 0.005;    // m, of the line of thrust from the axis
+  double offset_angle = 0;  // rad, from +X towards +Z, of the direction it is off in
 };
 
 struct SolverParameters {
