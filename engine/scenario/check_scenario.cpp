@@ -98,11 +98,24 @@ class Checker {
       if (point.x() < s_.rods.outer_diameter) {
         add("rods.profile", fmt::format("a rod {} m from the axis is nearer than its diameter {} m", point.x(),
                                         s_.rods.outer_diameter));
+        return;
       }
     }
+    check_gaps_between_rods();
     if (profile[1].y() <= profile[0].y() || profile[2].y() <= profile[1].y()) {
       add("rods.profile", fmt::format("the heights of root, kink and tip must increase, not go {}, {}, {} m",
                                       profile[0].y(), profile[1].y(), profile[2].y()));
+    }
+  }
+
+  void check_gaps_between_rods() {
+    const double chord = 2 * std::sin(std::numbers::pi / s_.pocket.rod_count);
+    for (const auto& point : s_.rods.profile) {
+      if (point.x() * chord >= s_.rods.outer_diameter) continue;
+      add("rods.profile", fmt::format("{} rods {} m from the axis intersect: their axes are {:.3g} m apart, less than "
+                                      "their diameter {} m",
+                                      s_.pocket.rod_count, point.x(), point.x() * chord, s_.rods.outer_diameter));
+      return;
     }
   }
 

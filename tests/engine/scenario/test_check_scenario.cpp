@@ -46,6 +46,16 @@ TEST(CheckScenario, RodProfileHasThreeRisingPoints) {
   expect_problem([](Scenario& s) { s.rods.profile[0].x() = 0; }, "rods.profile", "nearer than its diameter");
 }
 
+TEST(CheckScenario, NeighbouringRodsDoNotIntersect) {
+  // Their axes are 2 r sin(pi/n) apart: 0.1 m, their diameter, at the root of n = 37.7 rods.
+  expect_problem([](Scenario& s) { s.pocket.rod_count = 38; }, "rods.profile", "38 rods 0.6 m from the axis intersect");
+  EXPECT_EQ(problems([](Scenario& s) {
+              s.pocket.rod_count = 37;
+              s.closing.closed_length = 0.5;
+            }),
+            "");
+}
+
 TEST(CheckScenario, WallsFitIntoTheRod) {
   expect_problem([](Scenario& s) { s.rods.wall_lower = 0.0501; }, "rods.wall_lower", "does not fit");
   expect_problem([](Scenario& s) { s.rods.wall_upper = 0.0501; }, "rods.wall_upper", "does not fit");
@@ -61,6 +71,8 @@ TEST(CheckScenario, InertiaObeysTheTriangleInequality) {
 TEST(CheckScenario, ClosedRopeIsShorterThanOpenAndLongerThanItsElements) {
   expect_problem([](Scenario& s) { s.closing.closed_length = 5.79; }, "closing.closed_length", "5.78617 m");
   expect_problem([](Scenario& s) { s.closing.closed_length = 0.007; }, "closing.closed_length", "at least 0.008 m");
+  expect_problem([](Scenario& s) { s.closing.closed_length = 0; }, "closing.closed_length", "must be >=");
+  expect_problem([](Scenario& s) { s.closing.duration = 0; }, "closing.duration", "must be >=");
 }
 
 TEST(CheckScenario, ClosingTableRunsForwardFromTheOpenMouth) {
@@ -92,6 +104,7 @@ TEST(CheckScenario, SizeIsBounded) {
   expect_problem(
       [](Scenario& s) {
         s.pocket.rod_count = 64;
+        s.rods.profile[0].x() = 1.1;
         s.pocket.mesh_columns = s.pocket.mesh_rows = 100;
         s.pocket.elements_per_side = 20;
         s.net.diameter = 1e-4;
