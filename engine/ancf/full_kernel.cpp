@@ -16,7 +16,7 @@ namespace {
 using namespace lanes;
 
 constexpr double kVanishing = kBendingRoundOff * kBendingRoundOff;
-constexpr double kSmallestSquare = 0.25;  // FullElementOptions::smallest_stretch squared
+constexpr double kSmallestSquare = 0.81;  // FullElementOptions::smallest_stretch squared
 
 // Weights of e, g1 and g2 in a vector at a point of the element.
 struct Weights {
@@ -110,22 +110,24 @@ NETPOCKET_INLINE void bending_point(const QuadraturePoint& point, const Section&
   const Lanes3 w = cross(a, B);
   const Lanes A = dot(a, a), G = dot(w, w);
 
-  // (a.a)^-3, below the smallest stretch its Taylor polynomial about A0; and the reciprocal of K. Two quotients from
-  // one division, which is by far the slowest operation here.
+  // (a.a)^-3, where the cord is gathered its Taylor polynomial about A0 and the share of B.B; and the reciprocal of K.
+  // Two quotients from one division, which is by far the slowest operation here.
   const Lanes A0 = larger(A, broadcast(kSmallestSquare)), step = A - A0;
-  const Lanes A0_2 = A0 * A0;
-  const Lanes polynomial = (A0_2 - broadcast(3.0) * (step * A0)) + broadcast(6.0) * (step * step);
+  const Lanes A0_2 = A0 * A0, step_2 = step * step;
+  const Lanes polynomial = (A0_2 - broadcast(3.0) * (step * A0)) + broadcast(6.0) * step_2;
+  const Lanes spread_polynomial = broadcast(-6.0) * (step_2 * step), BB = dot(B, B);
   const Lanes A0_5 = A0_2 * (A0_2 * A0);
-  const Lanes scaled_K = G * polynomial + broadcast(kVanishing) * A0_5;  // (K + vanishing) A0^5
+  const Lanes scaled_K = (G * polynomial + BB * spread_polynomial) + broadcast(kVanishing) * A0_5;  // (K + ...) A0^5
   const Lanes quotient = broadcast(1.0) / (A0 * scaled_K);
   const Lanes reciprocal = scaled_K * quotient, reciprocal_2 = reciprocal * reciprocal;  // 1/A0
-  const Lanes reciprocal_4 = reciprocal_2 * reciprocal_2;
-  const Lanes power = (reciprocal_4 * reciprocal) * polynomial;
+  const Lanes reciprocal_4 = reciprocal_2 * reciprocal_2, reciprocal_5 = reciprocal_4 * reciprocal;
+  const Lanes power = reciprocal_5 * polynomial, spread = reciprocal_5 * spread_polynomial;
   const Lanes power_slope = broadcast(-3.0) * (reciprocal_4 * (broadcast(1.0) - broadcast(4.0) * (step * reciprocal)));
+  const Lanes spread_slope = broadcast(-18.0) * (reciprocal_5 * step_2);
 
   // Derivatives of K by a and B, halved.
-  const Lanes3 K_a = power * cross(B, w) + (G * power_slope) * a;
-  const Lanes3 K_B = power * cross(w, a);
+  const Lanes3 K_a = power * cross(B, w) + (G * power_slope + BB * spread_slope) * a;
+  const Lanes3 K_B = power * cross(w, a) + spread * B;
   const Lanes half_rate = dot(K_a, a_rate) + dot(K_B, B_rate);
   const Lanes growth = section.bending_damping * ((half_rate * (A0 * quotient)) * A0_5);  // c d(kappa)/dt / kappa
   const Lanes elastic = broadcast(2 * point.weight), viscous = elastic * growth;
@@ -133,8 +135,8 @@ NETPOCKET_INLINE void bending_point(const QuadraturePoint& point, const Section&
   add(sums.force, bend, (elastic + viscous) * K_B);
   sums.dissipated = sums.dissipated + viscous * half_rate;
   if constexpr (kVariable) {
-    const Lanes lengthening =
-        (broadcast(slope.e) * dot(K_a, q.e) + broadcast(bend.e) * dot(K_B, q.e)) + broadcast(0.5) * (G * power);
+    const Lanes lengthening = (broadcast(slope.e) * dot(K_a, q.e) + broadcast(bend.e) * dot(K_B, q.e)) +
+                              broadcast(0.5) * (G * power + BB * spread);
     sums.fed =
         sums.fed + (viscous * (dot(K_a, a_flow) + dot(K_B, B_flow)) - section.length_rate * (elastic * lengthening));
   }

@@ -48,7 +48,7 @@ CableSystem::Impl::Impl(const Model& source, const SystemOptions& opts)
       mass(layout.size(), 0.0),
       inverse_mass(layout.size(), 0.0),
       ropes(model, layout),
-      wrinkling(model, elements),
+      wrinkling(model, elements, opts.evaluation == ElementEvaluation::full),
       contacts(model, layout, mass),
       element_forces(static_cast<std::size_t>(batch.block_count()) * kForceRows * kBlockSize, 0.0),
       applied(layout.size()),
