@@ -61,7 +61,7 @@ struct CableSystem::Impl {
   std::vector<BatchPower> chunk_power;
 
   // Accounts since the start.
-  double input_work = 0, dissipated = 0, initial_energy = 0, initial_load_work = 0;
+  double input_work = 0, dissipated = 0, initial_energy = 0, initial_input = 0;
   std::vector<Eigen::Vector3d> impulses;
   double deepest_penetration = 0;
 
@@ -93,7 +93,8 @@ struct CableSystem::Impl {
   double resisted(std::size_t element, std::size_t row) const;
   double tension(std::size_t element) const;
   double strain_energy() const;
-  double kinetic_energy();
+  SlotVectors velocities_at_positions();
+  double kinetic_energy(const SlotVectors& velocity) const;
   double load_work() const;
   EnergyAudit audit();
   bool looks_sound() const;

@@ -90,7 +90,7 @@ void CableSystem::Impl::compute_forces(double dt) {
   add_hinges();
   wrinkling.add_forces(coordinates, applied, loaded_slots);
   if (!ropes.empty()) {
-    ropes.add_flow_forces(coordinates, velocities, applied);
+    ropes.add_flow_forces(coordinates, velocities, last_dt, 0.5 * (last_dt + dt), applied);
     loaded_slots.insert(loaded_slots.end(), ropes.massive_slots().begin(), ropes.massive_slots().end());
   }
   contacts.add_forces(
@@ -169,8 +169,12 @@ void CableSystem::Impl::step(double dt) {
     impulses[b] += kick * contacts.force_on(static_cast<std::int32_t>(b));
   }
   deepest_penetration = std::max(deepest_penetration, contacts.deepest_penetration());
+  double ropes_change = ropes.energy_change(coordinates, velocities);
 
   move_slots(kick, dt);
+  ropes_change += ropes.energy_change(coordinates, velocities);
+  input_work -= 0.5 * ropes_change;
+  ropes.finish_step();
   for (std::size_t b = 0; b < bodies.size(); ++b) input_work += bodies[b].step(wrenches[b], controls[b], kick, dt);
   dissipated += 0.5 * kick * (power_before + contacts.dissipated_power(velocities, bodies));
   for (DynamicBody& body : bodies) body.move_attachments(coordinates, velocities);
