@@ -6,10 +6,10 @@
 // With a = r', b = r'', A = a.a and G = |a x b|^2 the curvature kappa^2 = G A^-n (n = 3, green, or 2, material) has no
 // singular derivative at kappa = 0. It does have one at a = 0, where a slack cord that carries no compression gathers
 // up: the bending stiffness grows like |a|^-4, beyond any time step, and were it merely kept finite, material gathered
-// at a point (a = 0) would turn freely there, for |a x b| vanishes: a hinge that costs nothing. Bending theory ends long
-// before. Written with B = b.b and C = a.b it is kappa^2 = A^(1-n) B - A^-n C^2; where |a| < smallest_stretch both powers
-// are continued by their second-order Taylor polynomials in A about A0 = smallest_stretch^2. With y = A/A0 - 1 < 0 the sum
-// is
+// at a point (a = 0) would turn freely there, for |a x b| vanishes: a hinge that costs nothing. Bending theory ends
+// long before. Written with B = b.b and C = a.b it is kappa^2 = A^(1-n) B - A^-n C^2; where |a| < smallest_stretch both
+// powers are continued by their second-order Taylor polynomials in A about A0 = smallest_stretch^2. With y = A/A0 - 1 <
+// 0 the sum is
 //   kappa^2 = A0^-n [1 - n y + n (n+1)/2 y^2] G + n (n+1)/2 A0^(1-n) (-y)^3 B:
 // twice continuously differentiable, an energy, bounded, and at a = 0 a multiple of B: what is gathered resists bending
 // and uneven gathering like the mean-strain element, whose bending energy is that of B.
