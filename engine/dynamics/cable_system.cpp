@@ -67,6 +67,7 @@ CableSystem::Impl::Impl(const Model& source, const SystemOptions& opts)
   if (options.evaluation == ElementEvaluation::full) {
     consistent_mass.emplace(model, layout, mass, ropes.massive_slots());
     unit_mass.assign(layout.size(), 1.0);
+    forces = unmoved = SlotVectors(layout.size());
   }
   begin_accounts();
 }

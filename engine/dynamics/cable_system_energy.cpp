@@ -59,14 +59,8 @@ double CableSystem::Impl::strain_energy() const {
 
 // Velocities half a step on, where positions are.
 SlotVectors CableSystem::Impl::velocities_at_positions() {
-  const double half_kick = 0.5 * last_dt;
   SlotVectors velocity = velocities, unused = coordinates;
-  if (!consistent_mass) {
-    kick_and_drift(velocity, unused, inverse_mass, half_kick, 0);
-    return velocity;
-  }
-  compute_accelerations();
-  for (std::int32_t slot = 0; slot < layout.size(); ++slot) velocity.add(slot, half_kick * accelerations.get(slot));
+  move_slots(velocity, unused, 0.5 * last_dt, 0);
   return velocity;
 }
 

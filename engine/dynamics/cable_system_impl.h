@@ -40,7 +40,7 @@ struct CableSystem::Impl {
   std::vector<double> element_length;
   std::optional<ConsistentMass> consistent_mass;
   AlignedVector<double> unit_mass;
-  SlotVectors accelerations;  // by the consistent mass
+  SlotVectors forces, unmoved;  // to collect forces for the consistent mass
 
   // Parts.
   std::vector<DynamicBody> bodies;
@@ -79,8 +79,7 @@ struct CableSystem::Impl {
   void compute_forces(double dt);
   void kick_and_drift(SlotVectors& v, SlotVectors& x, const AlignedVector<double>& inverse_masses, double kick,
                       double drift);
-  void compute_accelerations();
-  void move_slots(double kick, double drift);
+  void move_slots(SlotVectors& v, SlotVectors& x, double kick, double drift);
   void step(double dt);
   Eigen::Vector3d slot_force(std::int32_t slot) const {
     return assembly.element_force(slot, element_forces.data()) + applied.get(slot);
