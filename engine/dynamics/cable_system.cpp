@@ -48,7 +48,7 @@ CableSystem::Impl::Impl(const Model& source, const SystemOptions& opts)
       mass(layout.size(), 0.0),
       inverse_mass(layout.size(), 0.0),
       ropes(model, layout),
-      wrinkling(model, elements),
+      wrinkling(model, elements, opts.evaluation == ElementEvaluation::full),
       contacts(model, layout, mass),
       element_forces(static_cast<std::size_t>(batch.block_count()) * kForceRows * kBlockSize, 0.0),
       applied(layout.size()),
@@ -70,15 +70,17 @@ CableSystem::Impl::Impl(const Model& source, const SystemOptions& opts)
   if (options.evaluation == ElementEvaluation::full) {
     consistent_mass.emplace(model, layout, mass, ropes.massive_slots());
     unit_mass.assign(layout.size(), 1.0);
+    forces = unmoved = SlotVectors(layout.size());
   }
   begin_accounts();
 }
 
 void CableSystem::Impl::begin_accounts() {
-  initial_load_work = load_work();
+  initial_input = 0;
   compute_forces(1e-4);
   const EnergyAudit start = audit();
   initial_energy = start.kinetic + start.strain;
+  initial_input = start.input;
 }
 
 void CableSystem::Impl::set_initial_state() {
@@ -300,9 +302,10 @@ void CableSystem::visit_state(const std::function<void(double&)>& visit) {
   for (Eigen::Vector3d& impulse : s.impulses) visit_vector(impulse);
   double steps = static_cast<double>(s.steps);
   for (double* value : {&s.time, &s.last_dt, &steps, &s.input_work, &s.dissipated, &s.initial_energy,
-                        &s.initial_load_work, &s.deepest_penetration}) {
+                        &s.initial_input, &s.deepest_penetration}) {
     visit(*value);
   }
+  s.ropes.visit_state(visit);
   // A file may hold what is no count.
   if (steps >= 0 && steps < 9e15) s.steps = static_cast<std::int64_t>(steps);
   if (changed) s.contacts.forget_candidates();

@@ -44,7 +44,7 @@ struct CableSystem::Impl {
   std::vector<double> wave_speed;  // by element, sqrt(EA/m), m/s
   std::optional<ConsistentMass> consistent_mass;
   AlignedVector<double> unit_mass;
-  SlotVectors accelerations;  // by the consistent mass
+  SlotVectors forces, unmoved;  // to collect forces for the consistent mass
 
   // Parts.
   std::vector<DynamicBody> bodies;
@@ -65,7 +65,7 @@ struct CableSystem::Impl {
   std::vector<BatchPower> chunk_power;
 
   // Accounts since the start.
-  double input_work = 0, dissipated = 0, initial_energy = 0, initial_load_work = 0;
+  double input_work = 0, dissipated = 0, initial_energy = 0, initial_input = 0;
   std::vector<Eigen::Vector3d> impulses;
   double deepest_penetration = 0;
 
@@ -83,8 +83,7 @@ struct CableSystem::Impl {
   void compute_forces(double dt);
   void kick_and_drift(SlotVectors& v, SlotVectors& x, const AlignedVector<double>& inverse_masses, double kick,
                       double drift);
-  void compute_accelerations();
-  void move_slots(double kick, double drift);
+  void move_slots(SlotVectors& v, SlotVectors& x, double kick, double drift);
   void step(double dt);
   Eigen::Vector3d slot_force(std::int32_t slot) const {
     return assembly.element_force(slot, element_forces.data()) + applied.get(slot);
@@ -97,7 +96,8 @@ struct CableSystem::Impl {
   double resisted(std::size_t element, std::size_t row) const;
   double tension(std::size_t element) const;
   double strain_energy() const;
-  double kinetic_energy();
+  SlotVectors velocities_at_positions();
+  double kinetic_energy(const SlotVectors& velocity) const;
   double load_work() const;
   EnergyAudit audit();
   bool looks_sound() const;

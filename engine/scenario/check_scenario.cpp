@@ -27,7 +27,6 @@ class Checker {
     if (s_.target.inertia_from == InertiaSource::given) check_inertia("target.inertia", s_.target.inertia);
     check_sections();
     check_output();
-    check_evaluation();
     check_profile();
     const auto shape = target_shape(s_);
     if (const auto* problem = std::get_if<Diagnostic>(&shape)) found_.add(*problem);
@@ -47,13 +46,6 @@ class Checker {
   void check_limits() {
     for (const Parameter& parameter : parameters()) {
       if (const auto problem = limit_problem(parameter, parameter.get(s_))) add(parameter.key, *problem);
-    }
-  }
-
-  // The wrinkling of rods does not converge with the full evaluation (THEORY.md, 5.1).
-  void check_evaluation() {
-    if (s_.solver.evaluation == Evaluation::full && s_.rods.pressure > 0) {
-      add("rods.pressure", "rods that wrinkle need solver.evaluation = \"mean_strain\"; with \"full\" leave it 0");
     }
   }
 

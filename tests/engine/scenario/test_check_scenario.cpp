@@ -91,15 +91,6 @@ TEST(CheckScenario, ClosingTableRunsForwardFromTheOpenMouth) {
   expect_problem(table({{0, 5.78}, {5, 0}}), "closing.table", "at least 0.008 m");
 }
 
-TEST(CheckScenario, WrinklingNeedsTheMeanStrainEvaluation) {
-  EXPECT_EQ(problems([](Scenario& s) { s.rods.pressure = 1e4; }), "");
-  const auto both = [](Scenario& s) {
-    s.rods.pressure = 1e4;
-    s.solver.evaluation = Evaluation::full;
-  };
-  expect_problem(both, "rods.pressure", "mean_strain");
-}
-
 TEST(CheckScenario, SizeIsBounded) {
   expect_problem(
       [](Scenario& s) {
