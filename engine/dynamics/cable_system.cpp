@@ -49,7 +49,8 @@ CableSystem::Impl::Impl(const Model& source, const SystemOptions& opts)
       inverse_mass(layout.size(), 0.0),
       ropes(model, layout),
       wrinkling(model, elements, opts.evaluation == ElementEvaluation::full),
-      contacts(model, layout, mass),
+      contacts(model, layout),
+      contacted(layout.size()),
       element_forces(static_cast<std::size_t>(batch.block_count()) * kForceRows * kBlockSize, 0.0),
       applied(layout.size()),
       constant_load(layout.size()) {
@@ -66,6 +67,7 @@ CableSystem::Impl::Impl(const Model& source, const SystemOptions& opts)
   controls.resize(bodies.size());
   wrenches.resize(bodies.size());
   impulses.assign(bodies.size(), Eigen::Vector3d::Zero());
+  if (model.contact.cords) cord_contacts = std::make_unique<CordContact>(model, layout, coordinates, inverse_mass);
   set_constant_loads();
   if (options.evaluation == ElementEvaluation::full) {
     consistent_mass.emplace(model, layout, mass, ropes.massive_slots());
@@ -263,9 +265,16 @@ void CableSystem::set_wrinkling_moment(std::int32_t material, double moment) {
   impl_->wrinkling.set_moment(material, moment);
   impl_->input_work += impl_->wrinkling.energy(impl_->coordinates) - before;
 }
-void CableSystem::set_friction(double coefficient) { impl_->contacts.set_friction(coefficient); }
+void CableSystem::set_friction(double coefficient) {
+  impl_->contacts.set_friction(coefficient);
+  if (impl_->cord_contacts) impl_->cord_contacts->set_friction(coefficient);
+}
 
 const Eigen::Vector3d& CableSystem::contact_impulse(std::int32_t body) const { return impl_->impulses[body]; }
+CordContactSum CableSystem::cord_contacts() const {
+  if (!impl_->cord_contacts) return {};
+  return {impl_->cord_contacts->count(), impl_->cord_contacts->total_normal_force()};
+}
 double CableSystem::take_deepest_penetration() { return std::exchange(impl_->deepest_penetration, 0.0); }
 
 void CableSystem::visit_state(const std::function<void(double&)>& visit) {
@@ -301,14 +310,16 @@ void CableSystem::visit_state(const std::function<void(double&)>& visit) {
   }
   for (Eigen::Vector3d& impulse : s.impulses) visit_vector(impulse);
   double steps = static_cast<double>(s.steps);
-  for (double* value : {&s.time, &s.last_dt, &steps, &s.input_work, &s.dissipated, &s.initial_energy,
-                        &s.initial_input, &s.deepest_penetration}) {
+  for (double* value : {&s.time, &s.last_dt, &steps, &s.input_work, &s.dissipated, &s.initial_energy, &s.initial_input,
+                        &s.deepest_penetration}) {
     visit(*value);
   }
   s.ropes.visit_state(visit);
   // A file may hold what is no count.
   if (steps >= 0 && steps < 9e15) s.steps = static_cast<std::int64_t>(steps);
-  if (changed) s.contacts.forget_candidates();
+  if (!changed) return;
+  s.contacts.forget_candidates();
+  if (s.cord_contacts) s.cord_contacts->forget_candidates();
 }
 
 }  // namespace netpocket

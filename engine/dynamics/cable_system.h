@@ -41,6 +41,12 @@ struct EnergyAudit {
   double error = 0;       // kinetic + strain + dissipated - input, less its value at the start
 };
 
+// Of cords, ropes and rods that touch each other.
+struct CordContactSum {
+  int count = 0;            // places
+  double normal_force = 0;  // N, sum over these
+};
+
 class CableSystem {
  public:
   CableSystem(const Model& model, const SystemOptions& options = {});
@@ -81,6 +87,8 @@ class CableSystem {
 
   // Impulse (N s) that contact has given to a body since the start.
   const Eigen::Vector3d& contact_impulse(std::int32_t body) const;
+  // Contacts of cords with each other in the last step.
+  CordContactSum cord_contacts() const;
   // Deepest penetration (m) since the previous call.
   double take_deepest_penetration();
 

@@ -88,8 +88,7 @@ EnergyAudit CableSystem::Impl::audit() {
   EnergyAudit result;
   result.kinetic = kinetic_energy(velocity) + flow.kinetic;
   result.strain = strain_energy();
-  result.dissipated =
-      dissipated + half_kick * (element_power.dissipated + hinge_power + contacts.dissipated_power(velocities, bodies));
+  result.dissipated = dissipated + half_kick * (element_power.dissipated + hinge_power + contact_power());
   result.input = input_work + half_kick * element_power.fed + load_work() + flow.work -
                  0.5 * ropes.energy_change(coordinates, velocities) - initial_input;
   result.error = result.kinetic + result.strain + result.dissipated - result.input - initial_energy;

@@ -11,6 +11,8 @@
 #include "engine/dynamics/cable_system.h"
 #include "engine/dynamics/consistent_mass.h"
 #include "engine/dynamics/contact_solver.h"
+#include "engine/dynamics/contacted_slots.h"
+#include "engine/dynamics/cord_contact.h"
 #include "engine/dynamics/rod_wrinkling.h"
 #include "engine/dynamics/rope_dynamics.h"
 
@@ -52,6 +54,8 @@ struct CableSystem::Impl {
   RopeDynamics ropes;
   RodWrinkling wrinkling;
   ContactSolver contacts;
+  std::unique_ptr<CordContact> cord_contacts;  // none: cords pass through each other
+  ContactedSlots contacted;
 
   // Forces of the present state.
   AlignedVector<double> element_forces;
@@ -80,6 +84,8 @@ struct CableSystem::Impl {
   void compute_element_forces();
   void clear_applied();
   void add_hinges();
+  void add_contacts(double dt);
+  double contact_power() const;
   void compute_forces(double dt);
   void kick_and_drift(SlotVectors& v, SlotVectors& x, const AlignedVector<double>& inverse_masses, double kick,
                       double drift);

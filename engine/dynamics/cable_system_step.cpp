@@ -83,6 +83,23 @@ void CableSystem::Impl::add_hinges() {
   for (std::size_t b = 0; b < bodies.size(); ++b) wrenches[b].torque += torque[b].total();
 }
 
+// All contacts see the same state: they are found before any of them acts.
+void CableSystem::Impl::add_contacts(double dt) {
+  contacted.clear();
+  contacts.find(coordinates, velocities, element_length, bodies, dt, contacted);
+  if (cord_contacts) cord_contacts->find(coordinates, velocities, element_length, dt, contacted);
+  contacted.predict(velocities, inverse_mass, dt, [this](std::int32_t slot) { return slot_force(slot); });
+  contacts.add_forces(velocities, contacted, inverse_mass, bodies, dt, applied, wrenches);
+  if (cord_contacts) cord_contacts->add_forces(velocities, contacted, inverse_mass, dt, applied);
+  loaded_slots.insert(loaded_slots.end(), contacted.slots().begin(), contacted.slots().end());
+}
+
+// Power that all contacts take out of the motion now, W.
+double CableSystem::Impl::contact_power() const {
+  const double power = contacts.dissipated_power(velocities, bodies);
+  return cord_contacts ? power + cord_contacts->dissipated_power(velocities) : power;
+}
+
 void CableSystem::Impl::compute_forces(double dt) {
   update_ropes();
   compute_element_forces();
@@ -93,11 +110,7 @@ void CableSystem::Impl::compute_forces(double dt) {
     ropes.add_flow_forces(coordinates, velocities, last_dt, 0.5 * (last_dt + dt), applied);
     loaded_slots.insert(loaded_slots.end(), ropes.massive_slots().begin(), ropes.massive_slots().end());
   }
-  contacts.add_forces(
-      coordinates, velocities, inverse_mass, element_length, bodies, dt,
-      [this](std::int32_t slot) -> Eigen::Vector3d { return inverse_mass[slot] * slot_force(slot); }, applied,
-      wrenches);
-  loaded_slots.insert(loaded_slots.end(), contacts.touched_slots().begin(), contacts.touched_slots().end());
+  add_contacts(dt);
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     SectorSum<Eigen::Vector3d> force(Eigen::Vector3d::Zero()), torque(Eigen::Vector3d::Zero());
     for (const DynamicBody::Attachment& attachment : bodies[b].attachments()) {
@@ -150,7 +163,7 @@ void CableSystem::Impl::step(double dt) {
   compute_forces(dt);
   // Velocities stand half a step of the previous size before the positions; at the start they stand with them.
   const double kick = 0.5 * (last_dt + dt);
-  const double power_before = contacts.dissipated_power(velocities, bodies);
+  const double power_before = contact_power();
   input_work += kick * element_power.fed;
   dissipated += kick * (element_power.dissipated + hinge_power);
   for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -164,7 +177,7 @@ void CableSystem::Impl::step(double dt) {
   input_work -= 0.5 * ropes_change;
   ropes.finish_step();
   for (std::size_t b = 0; b < bodies.size(); ++b) input_work += bodies[b].step(wrenches[b], controls[b], kick, dt);
-  dissipated += 0.5 * kick * (power_before + contacts.dissipated_power(velocities, bodies));
+  dissipated += 0.5 * kick * (power_before + contact_power());
   for (DynamicBody& body : bodies) body.move_attachments(coordinates, velocities);
   time += dt;
   last_dt = dt;

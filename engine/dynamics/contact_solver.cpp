@@ -19,10 +19,6 @@ constexpr double kLongestTravel = 0.05;
 constexpr double kNearMargin = 0.02;
 // Inflation (m) of the boxes in the broad phase.
 constexpr double kBroadMargin = 0.3;
-// A contact is made no stiffer than lets an impact at this speed (m/s) last so many steps. Eight resolve the rebound to
-// 1 % up to ten times the speed.
-constexpr double kResolvedSpeed = 1;
-constexpr double kStepsInImpact = 8;
 
 Eigen::Vector3d combine(const SlotVectors& vectors, const std::array<std::int32_t, 4>& slot,
                         const std::array<double, 4>& weight) {
@@ -40,15 +36,13 @@ bool is_sound(const Eigen::AlignedBox3d& box) {
 
 }  // namespace
 
-ContactSolver::ContactSolver(const Model& model, const SlotLayout& layout, std::span<const double> mass)
+ContactSolver::ContactSolver(const Model& model, const SlotLayout& layout)
     : model_(model),
       layout_(layout),
       settings_(model.contact),
       damping_(restitution_damping(model.contact.restitution)),
       broad_phase_(static_cast<int>(model.elements.size()), kBroadMargin),
       near_(model.bodies.size()),
-      shared_weight_(mass.size(), 0.0),
-      predicted_(static_cast<std::int32_t>(mass.size())),
       contacts_on_body_(model.bodies.size(), 0),
       body_force_(model.bodies.size(), Eigen::Vector3d::Zero()) {
   const int count = settings_.samples_per_element;
@@ -176,8 +170,8 @@ void ContactSolver::forget_candidates() {
   broad_phase_.advance(std::numeric_limits<double>::infinity());
 }
 
-void ContactSolver::find(const SlotVectors& coordinates, const std::vector<double>& element_length,
-                         const std::vector<DynamicBody>& bodies) {
+void ContactSolver::find_contacts(const SlotVectors& coordinates, const std::vector<double>& element_length,
+                                  const std::vector<DynamicBody>& bodies) {
   contacts_.clear();
   deepest_penetration_ = 0;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -212,16 +206,18 @@ void ContactSolver::find(const SlotVectors& coordinates, const std::vector<doubl
   }
 }
 
-void ContactSolver::share_inertia() {
-  for (const std::int32_t slot : touched_slots_) shared_weight_[slot] = 0;
-  touched_slots_.clear();
+void ContactSolver::find(const SlotVectors& coordinates, const SlotVectors& velocities,
+                         const std::vector<double>& element_length, const std::vector<DynamicBody>& bodies, double dt,
+                         ContactedSlots& contacted) {
+  if (bodies.empty()) return;
+  if (steps_to_survey_ <= 0) survey(coordinates, velocities, element_length, bodies, dt);
+  --steps_to_survey_;
+  approach_ += approach_per_step_;
+  find_contacts(coordinates, element_length, bodies);
   std::ranges::fill(contacts_on_body_, 0);
   for (const Contact& contact : contacts_) {
     ++contacts_on_body_[contact.body];
-    for (int i = 0; i < 4; ++i) {
-      if (shared_weight_[contact.slot[i]] == 0) touched_slots_.push_back(contact.slot[i]);
-      shared_weight_[contact.slot[i]] += std::abs(contact.weight[i]);
-    }
+    for (std::size_t i = 0; i < 4; ++i) contacted.share(contact.slot[i], contact.weight[i]);
   }
 }
 
@@ -232,21 +228,17 @@ Eigen::Vector3d ContactSolver::relative_velocity(const Contact& contact, const S
 
 NormalLaw ContactSolver::law(const Contact& contact, double dt) const {
   const Pair& pair = pairs_[contact.body][contact.element];
-  const double resolved = stiffness_of_impact(pair.mass, kResolvedSpeed, kStepsInImpact * dt);
-  const double stiffness = std::min(pair.stiffness, resolved);
+  const double stiffness = std::min(pair.stiffness, resolved_stiffness(pair.mass, dt));
   return {stiffness, damping_ * std::sqrt(stiffness * pair.mass)};
 }
 
-void ContactSolver::set_force(Contact& contact, const SlotVectors& velocities, std::span<const double> inverse_mass,
-                              const DynamicBody& body, double dt) const {
-  double cable_inverse_mass = 0;
-  for (int i = 0; i < 4; ++i) {
-    cable_inverse_mass += std::abs(contact.weight[i]) * shared_weight_[contact.slot[i]] * inverse_mass[contact.slot[i]];
-  }
+void ContactSolver::set_force(Contact& contact, const SlotVectors& velocities, const ContactedSlots& contacted,
+                              std::span<const double> inverse_mass, const DynamicBody& body, double dt) const {
+  const double cable_inverse_mass = contacted.inverse_mass(contact.slot, contact.weight, inverse_mass);
   const double arm = symmetric_norm(contact.point - body.rigid().position());
   const double w = cable_inverse_mass + contacts_on_body_[contact.body] * body.inverse_mass_bound(arm);
   const Eigen::Vector3d before = relative_velocity(contact, velocities, body);
-  const Eigen::Vector3d after = relative_velocity(contact, predicted_, body);
+  const Eigen::Vector3d after = relative_velocity(contact, contacted.predicted(), body);
   const double separation_speed = symmetric_dot(after, contact.normal);
   const double normal_force = stepped_normal_force(law(contact, dt), contact.penetration,
                                                    {symmetric_dot(before, contact.normal), separation_speed}, w, dt);
@@ -256,25 +248,14 @@ void ContactSolver::set_force(Contact& contact, const SlotVectors& velocities, s
   contact.force = normal_force * contact.normal - resistance * sliding;
 }
 
-void ContactSolver::add_forces(const SlotVectors& coordinates, const SlotVectors& velocities,
-                               std::span<const double> inverse_mass, const std::vector<double>& element_length,
-                               const std::vector<DynamicBody>& bodies, double dt,
-                               const std::function<Eigen::Vector3d(std::int32_t)>& free_acceleration,
+void ContactSolver::add_forces(const SlotVectors& velocities, const ContactedSlots& contacted,
+                               std::span<const double> inverse_mass, const std::vector<DynamicBody>& bodies, double dt,
                                SlotVectors& applied, std::vector<Wrench>& wrenches) {
-  if (bodies.empty()) return;
-  if (steps_to_survey_ <= 0) survey(coordinates, velocities, element_length, bodies, dt);
-  --steps_to_survey_;
-  approach_ += approach_per_step_;
-  find(coordinates, element_length, bodies);
-  share_inertia();
-  for (const std::int32_t slot : touched_slots_) {
-    predicted_.set(slot, velocities.get(slot) + dt * free_acceleration(slot));
-  }
   std::vector<SectorSum<Eigen::Vector3d>> force(bodies.size(), SectorSum<Eigen::Vector3d>(Eigen::Vector3d::Zero()));
   auto torque = force;
   for (Contact& contact : contacts_) {
     const DynamicBody& body = bodies[contact.body];
-    set_force(contact, velocities, inverse_mass, body, dt);
+    set_force(contact, velocities, contacted, inverse_mass, body, dt);
     for (int i = 0; i < 4; ++i) applied.add(contact.slot[i], contact.weight[i] * contact.force);
     force[contact.body].add(contact.element, -contact.force);
     torque[contact.body].add(contact.element, (contact.point - body.rigid().position()).cross(-contact.force));

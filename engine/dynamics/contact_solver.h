@@ -6,20 +6,17 @@
 // materials, but no stiffer than makes an impact at 1 m/s last eight steps: then the spring acts as in the leapfrog
 // scheme, and the rebound is that of the law whatever the step (force_law.h).
 //
-// All contacts of a step are computed from the same state (Jacobi-wise). Where a contact is solved for its own speed
-// (damping, friction, springs too stiff for the step), those that share nodes must share the nodes' inertia too: a
-// contact's inverse mass counts every contact point on its nodes, w = sum_i S_i (sum_c S_i,c)/m_i + n_body w_body, the
-// row sum of the contacts' common inverse mass matrix. No step can then push a node or a body beyond what a single
-// contact would (mass splitting: Tonge, Benevolenski & Voroshilov 2012, doi:10.1145/2185520.2185601).
+// Contacts of a step see the same state and share the inertia of nodes (contacted_slots.h) and, counted likewise, of
+// the body.
 
 #include <array>
-#include <functional>
 #include <span>
 #include <vector>
 
 #include "engine/contact/broad_phase.h"
 #include "engine/contact/force_law.h"
 #include "engine/contact/surface_tracker.h"
+#include "engine/dynamics/contacted_slots.h"
 #include "engine/dynamics/dynamic_body.h"
 #include "engine/dynamics/slot_state.h"
 #include "engine/model/model.h"
@@ -28,28 +25,28 @@ namespace netpocket {
 
 class ContactSolver {
  public:
-  ContactSolver(const Model& model, const SlotLayout& layout, std::span<const double> mass);
+  ContactSolver(const Model& model, const SlotLayout& layout);
 
   // To be called when positions have changed other than by steps: candidates are looked for anew.
   void forget_candidates();
   void set_friction(double coefficient) { settings_.friction = coefficient; }
 
-  // Finds the contacts at this state and adds their forces on slots to `applied` and on bodies to `wrenches` (by body,
-  // about the dynamic body's centre of mass). `dt` (s): step over which the forces will act.
-  // `element_length`: current material length by element (m). `free_acceleration`: of a slot by everything else in this
-  // step; contact meets the velocity that results from it, so that a cord at rest presses with just what loads it.
-  void add_forces(const SlotVectors& coordinates, const SlotVectors& velocities, std::span<const double> inverse_mass,
-                  const std::vector<double>& element_length, const std::vector<DynamicBody>& bodies, double dt,
-                  const std::function<Eigen::Vector3d(std::int32_t slot)>& free_acceleration, SlotVectors& applied,
-                  std::vector<Wrench>& wrenches);
+  // Finds the contacts at this state and enters them in `contacted`. `element_length`: current material length by
+  // element (m). `dt` (s): step over which the forces will act.
+  void find(const SlotVectors& coordinates, const SlotVectors& velocities, const std::vector<double>& element_length,
+            const std::vector<DynamicBody>& bodies, double dt, ContactedSlots& contacted);
 
-  // Slots that the last add_forces touched.
-  const std::vector<std::int32_t>& touched_slots() const { return touched_slots_; }
+  // Adds the forces of the contacts found on slots to `applied` and on bodies to `wrenches` (by body, about the dynamic
+  // body's centre of mass). Contact meets the velocities that `contacted` predicts, so that a cord at rest presses with
+  // just what loads it.
+  void add_forces(const SlotVectors& velocities, const ContactedSlots& contacted, std::span<const double> inverse_mass,
+                  const std::vector<DynamicBody>& bodies, double dt, SlotVectors& applied,
+                  std::vector<Wrench>& wrenches);
 
   // Power that the contacts take out of the motion at these velocities (W); positive when they dissipate.
   double dissipated_power(const SlotVectors& velocities, const std::vector<DynamicBody>& bodies) const;
 
-  // Contacts of the last add_forces that bear force.
+  // Contacts that bear force.
   std::vector<ContactPoint> contacts() const;
   const Eigen::Vector3d& force_on(std::int32_t body) const { return body_force_[body]; }
   double deepest_penetration() const { return deepest_penetration_; }
@@ -82,16 +79,15 @@ class ContactSolver {
   // False when the state is lost: then there is nothing to look for.
   bool update_broad_phase(const SlotVectors& coordinates, const std::vector<double>& element_length,
                           const std::vector<DynamicBody>& bodies);
-  void find(const SlotVectors& coordinates, const std::vector<double>& element_length,
-            const std::vector<DynamicBody>& bodies);
+  void find_contacts(const SlotVectors& coordinates, const std::vector<double>& element_length,
+                     const std::vector<DynamicBody>& bodies);
   // Least distance (m) of the element's contact points from the body's surface, less the cable's radius; a lower bound
   // of it where that is more than `reach`.
   double clearance(const SlotVectors& coordinates, double length, std::int32_t element, std::int32_t body,
                    const DynamicBody& dynamic, double reach);
-  void share_inertia();
   NormalLaw law(const Contact& contact, double dt) const;
-  void set_force(Contact& contact, const SlotVectors& velocities, std::span<const double> inverse_mass,
-                 const DynamicBody& body, double dt) const;
+  void set_force(Contact& contact, const SlotVectors& velocities, const ContactedSlots& contacted,
+                 std::span<const double> inverse_mass, const DynamicBody& body, double dt) const;
   Eigen::Vector3d relative_velocity(const Contact& contact, const SlotVectors& velocities,
                                     const DynamicBody& body) const;
 
@@ -111,9 +107,6 @@ class ContactSolver {
   double approach_ = 0, approach_per_step_ = 0;  // m
   std::vector<std::vector<double>> due_;         // by body, element: value of approach_ at which it may touch, m
   std::vector<Contact> contacts_;
-  std::vector<double> shared_weight_;  // by slot, sum of contact weights
-  SlotVectors predicted_;              // velocities of touched slots without contact
-  std::vector<std::int32_t> touched_slots_;
   std::vector<int> contacts_on_body_;
   int steps_to_survey_ = 0;
   std::vector<Eigen::Vector3d> body_force_;

@@ -82,6 +82,9 @@ std::function<RopeMotion(double)> blended_closing(const ClosingSchedule& schedul
 
 }  // namespace
 
+// What sets a step: the elements as built, how far cords are bent, the length of the closing ropes.
+enum class StepLimit : std::uint8_t { elements, bends, ropes };
+
 struct Simulation::Impl {
   Impl(const Scenario& s, const SimulationOptions& options)
       : scenario(s),
@@ -105,7 +108,8 @@ struct Simulation::Impl {
   double shape_step = 0;                                  // s, stable in the shape at the start of the interval
   double time_step = 0;                                   // s, in the present interval
   double smallest_step = std::numeric_limits<double>::infinity();
-  std::int64_t interval = -1;  // stretch of equal steps, one or more to an output interval
+  std::int64_t smallest_limit = 0;  // StepLimit of the smallest step
+  std::int64_t interval = -1;       // stretch of equal steps, one or more to an output interval
   std::int64_t interval_steps = 1, steps_in_interval = 0;
   double wall = 0, cpu = 0;
   std::vector<double> sound_state;  // a copy at step sound_step; empty: none yet
@@ -150,6 +154,23 @@ struct Simulation::Impl {
     return rope_step_value;
   }
 
+  // What limits the step at this time. Contacts never do: they are no stiffer than the step resolves.
+  StepLimit limit_at(double time) {
+    constexpr double kNotable = 0.98;  // of the step of straight cords
+    if (allowed_step(time) < scenario.solver.safety * shape_step) return StepLimit::ropes;
+    return shape_step < kNotable * stable.step ? StepLimit::bends : StepLimit::elements;
+  }
+
+  // What has limited the smallest step so far.
+  std::string step_limit() const {
+    if (scenario.solver.time_step > 0) return "solver.time_step";
+    if (smallest_limit == static_cast<std::int64_t>(StepLimit::ropes)) {
+      return "waves in the closing ropes, the shorter the faster";
+    }
+    if (smallest_limit == static_cast<std::int64_t>(StepLimit::bends)) return stable.limit + ", and bends of cords";
+    return stable.limit;
+  }
+
   // Goes over to the laws of another scenario at the present time.
   void adopt(const Scenario& next) {
     const bool closing_changes = std::ranges::any_of(
@@ -187,6 +208,7 @@ struct Simulation::Impl {
     visit_count(interval);
     visit_count(interval_steps);
     visit_count(steps_in_interval);
+    visit_count(smallest_limit);
     for (double* value : {&time_step, &smallest_step, &wall, &cpu}) visit(*value);
   }
 
@@ -200,7 +222,10 @@ struct Simulation::Impl {
     const double allowed = std::min(allowed_step(system.time()), allowed_step(end));
     interval_steps = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(length / allowed)));
     time_step = (end - static_cast<double>(interval) * length) / static_cast<double>(interval_steps);
-    smallest_step = std::min(smallest_step, time_step);
+    if (time_step < smallest_step) {
+      smallest_step = time_step;
+      smallest_limit = static_cast<std::int64_t>(limit_at(allowed < allowed_step(system.time()) ? end : system.time()));
+    }
     steps_in_interval = 0;
   }
 
@@ -352,7 +377,7 @@ RunStatistics Simulation::statistics() const {
   result.elements = static_cast<std::int32_t>(structure().elements.size());
   result.coordinates = 3 * (structure().node_count + structure().gradient_count);
   result.time_step = std::isfinite(impl_->smallest_step) ? impl_->smallest_step : impl_->allowed_step(0);
-  result.step_limit = impl_->scenario.solver.time_step > 0 ? "solver.time_step" : impl_->stable.limit;
+  result.step_limit = impl_->step_limit();
   result.evaluation = impl_->scenario.solver.evaluation == Evaluation::full ? "full" : "mean_strain";
   return result;
 }

@@ -32,6 +32,13 @@ class SlotVectors {
   }
   std::int32_t size() const { return static_cast<std::int32_t>(x_.size()); }
   SlotArrays arrays() { return {x_.data(), y_.data(), z_.data()}; }
+  // The squared norms of `count` vectors from `first` on, as an expression.
+  auto squared_norms(std::int32_t first, std::int32_t count) const {
+    const auto component = [&](const AlignedVector<double>& values) {
+      return Eigen::Map<const Eigen::ArrayXd>(values.data() + first, count);
+    };
+    return (component(x_).square() + component(z_).square()) + component(y_).square();
+  }
 
  private:
   AlignedVector<double> x_, y_, z_;

@@ -88,6 +88,7 @@ struct ContactParameters {
   double friction_velocity = 1e-3;  // m/s, sliding speed at which friction is fully developed
   int samples_per_element = 3;      // interior contact points on an element
   bool spacecraft = true;           // cords touch the spacecraft too
+  bool cords = true;                // net, ropes and rods touch each other
 };
 
 struct ClosingParameters {

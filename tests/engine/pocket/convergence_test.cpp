@@ -5,6 +5,8 @@
 #include <cstdlib>
 
 #include "engine/dynamics/simulation.h"
+#include "engine/dynamics/stable_step.h"
+#include "engine/pocket/materials.h"
 #include "engine/scenario/check_scenario.h"
 #include "tests/engine/verification_table.h"
 
@@ -43,21 +45,44 @@ Scenario case3(int mesh, double safety) {
   scenario.closing.duration = 5;
   scenario.pocket.mesh_columns = scenario.pocket.mesh_rows = mesh;
   scenario.solver.safety = safety;
-  scenario.output.frame_rate = 100;
+  scenario.output.frame_rate = 200;
   return scenario;
 }
 
 class VerificationConvergence : public test::VerificationTest {};
 
 TEST_F(VerificationConvergence, HalfTheStep) {
-  const Outcome whole = run(case3(6, 0.8), 5), half = run(case3(6, 0.4), 5);
+  const double safety = Scenario().solver.safety;
+  const Outcome whole = run(case3(6, safety), 5), half = run(case3(6, 0.5 * safety), 5);
   const std::string source = "case 3 until closed; the same at half the step";
   expect_below("first contact, difference to half the step, s", std::abs(whole.first_contact - half.first_contact),
-               0.01, source + ": a frame is 0.01 s");
+               0.0101, source + ": two frames of 0.005 s");
   expect_below("impulse on the target, relative difference to half the step",
                std::abs(whole.impulse / half.impulse - 1), 0.03, source);
   expect_below("separation at 5 s, difference to half the step, m", std::abs(whole.separation - half.separation), 0.005,
                source);
+}
+
+TEST(StepChoice, SaysWhatLimits) {
+  Scenario scenario = case3(2, 0.9);
+  scenario.closing.duration = 0.5;
+  scenario.closing.closed_length = 1.2;
+  scenario.closing.elements = 6;
+  scenario.target.radius = 0.5;
+  Simulation simulation(scenario);
+  const RunStatistics start = simulation.statistics();
+  EXPECT_EQ(start.step_limit.find("closing ropes"), std::string::npos) << start.step_limit;
+  ASSERT_EQ(simulation.advance(0.5).reason, RunReason::finished);
+  const RunStatistics closed = simulation.statistics();
+  EXPECT_NE(closed.step_limit.find("closing ropes"), std::string::npos) << closed.step_limit;
+  EXPECT_LT(closed.time_step, 0.9 * start.time_step);
+  const double bound =
+      0.9 * stable_step_of_lumped_element(cord_material(scenario.rope).section, 1.2 / scenario.closing.elements, true);
+  EXPECT_LE(closed.time_step, bound);
+  EXPECT_GT(closed.time_step, 0.95 * bound);
+
+  scenario.solver.time_step = 2e-5;
+  EXPECT_EQ(Simulation(scenario).statistics().step_limit, "solver.time_step");
 }
 
 TEST_F(VerificationConvergence, FinerMesh) {

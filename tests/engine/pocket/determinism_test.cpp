@@ -59,6 +59,26 @@ TEST(Determinism, PiecesAndLooksDoNotMatter) {
   expect_same_state(whole, pieces);
 }
 
+TEST(Determinism, PiecesDoNotMatterWhereCordsTouch) {
+  Scenario scenario = busy_scenario();
+  scenario.pocket.elements_per_side = 1;
+  scenario.closing.duration = 2;
+  scenario.closing.closed_length = 0.3;
+  scenario.closing.elements = 2;
+  scenario.target.size = {1, 1, 1};
+  scenario.target.velocity = {0, 0, 0};
+  const Snapshot whole = run(scenario, {}, {1.8});
+  expect_same_state(whole, run(scenario, {}, {0.8, 1.6, 1.7123456, 1.8}));
+  // A run restored from a checkpoint looks for contacts anew.
+  Simulation first(scenario), second(scenario);
+  ASSERT_EQ(first.advance(1.7).reason, RunReason::finished);
+  second.restore(first.checkpoint());
+  ASSERT_EQ(second.advance(1.8).reason, RunReason::finished);
+  expect_same_state(whole, second.snapshot());
+  scenario.contact.cords = false;
+  EXPECT_FALSE(run(scenario, {}, {1.8}).positions == whole.positions) << "no cord has touched another";
+}
+
 TEST(Determinism, ThreadsDoNotMatter) {
   // Threads are used from 10 000 elements on; each step of this pocket is 4e-5 s.
   Scenario scenario = busy_scenario();

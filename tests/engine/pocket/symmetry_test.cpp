@@ -43,6 +43,28 @@ TEST_F(VerificationSymmetry, HoldsToTheLastBitUntilTheTow) {
   expect_below("lateral force on and displacement of the target until 10 s, case 1", lateral, 0, "exact");
 }
 
+// A small pocket drawn together until its mouth's cords and rods lie on each other.
+TEST_F(VerificationSymmetry, HoldsToTheLastBitWhereCordsTouch) {
+  Scenario scenario;
+  scenario.pocket.mesh_columns = scenario.pocket.mesh_rows = 4;
+  scenario.pocket.elements_per_side = 1;
+  scenario.closing.duration = 2;
+  scenario.closing.closed_length = 0.3;
+  scenario.closing.elements = 2;
+  scenario.target.radius = 0.5;
+  scenario.target.position = {0, 3, 0};
+  const auto positions_at_the_end = [&](bool cords) {
+    scenario.contact.cords = cords;
+    Simulation simulation(scenario);
+    EXPECT_EQ(simulation.advance(1.8).reason, RunReason::finished);
+    return Eigen::Matrix3Xd(simulation.snapshot().positions);
+  };
+  const Eigen::Matrix3Xd touching = positions_at_the_end(true);
+  EXPECT_FALSE(touching == positions_at_the_end(false)) << "no cord has touched another";
+  expect_below("asymmetry of positions, cords in contact with each other", asymmetry(touching), 0,
+               "a pair's forces do not depend on which comes first, and are summed in the same order in every sector");
+}
+
 // Growth of a stated perturbation over case 1 until the mouth is closed: every free node starts up to `size` off its
 // place. A recorded study, not a check: the bounds only keep it from being empty. Run with NETPOCKET_STUDY=1.
 TEST_F(VerificationSymmetry, GrowthOfAPerturbationStudy) {

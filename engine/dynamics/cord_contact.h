@@ -1,0 +1,118 @@
+#pragma once
+// Contact of nets, ropes and rods among themselves. Cords are chains of capsules (cord_polyline.h); where two of them
+// overlap, the law of force_law.h pushes them apart and Coulomb friction resists their sliding.
+//
+// Forces act on the four ends of the two capsules and go to nodes and gradients by virtual work. The normal force acts
+// along the line between the nearest points of the axes. Friction acts at the surface, so it also bends the cords; what
+// would twist them is left out, for the elements have no torsion. A force along one cord's axis twists neither when it
+// is taken at the other one's axis, so friction is resolved along the two axes, each part at the other's axis, and all
+// forces and moments on the pair are balanced. Parallel cords, which would have to roll, do so freely.
+//
+// No stiffer than steps resolve (resolved_stiffness); beyond that no contact lets axes come nearer to each other than a
+// quarter of the cords' thickness within a step: what would is stopped there, at the price of a slower rebound. Cords
+// do not pass through each other at any speed that a run's steps can follow.
+//
+// All contacts of a step see the same state and share the nodes' inertia (contacted_slots.h). Forces are summed in an
+// order that is the same in every sector of a pocket, and a pair's forces do not depend on which of the two comes
+// first, so that a symmetric pocket stays symmetric to the last bit.
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "engine/contact/force_law.h"
+#include "engine/dynamics/contacted_slots.h"
+#include "engine/dynamics/cord_pairs.h"
+#include "engine/dynamics/cord_polyline.h"
+#include "engine/dynamics/cord_search.h"
+#include "engine/model/model.h"
+
+namespace netpocket {
+
+class CordContact {
+ public:
+  // `coordinates` as built; `inverse_mass` by slot.
+  CordContact(const Model& model, const SlotLayout& layout, const SlotVectors& coordinates,
+              std::span<const double> inverse_mass);
+  CordContact(const CordContact&) = delete;
+  CordContact& operator=(const CordContact&) = delete;
+
+  // To be called when positions have changed other than by steps.
+  void forget_candidates() { search_.forget(); }
+  void set_friction(double coefficient) { settings_.friction = coefficient; }
+
+  // Finds the contacts at this state and enters them in `contacted`. `element_length`: current material length by
+  // element (m). `dt` (s): step over which the forces will act.
+  void find(const SlotVectors& coordinates, const SlotVectors& velocities, const std::vector<double>& element_length,
+            double dt, ContactedSlots& contacted);
+
+  // Adds the forces of the contacts found to `applied`. Contact meets the velocities that `contacted` predicts.
+  void add_forces(const SlotVectors& velocities, const ContactedSlots& contacted, std::span<const double> inverse_mass,
+                  double dt, SlotVectors& applied);
+
+  // Power that the contacts take out of the motion at these velocities (W); positive when they dissipate.
+  double dissipated_power(const SlotVectors& velocities) const;
+  // Contacts that bear force.
+  int count() const;
+  // Sum of the normal forces, N.
+  double total_normal_force() const;
+
+ private:
+  using Slots = std::array<std::int32_t, 4>;
+  using Weights = CordPolyline::Weights;
+
+  // One of the two capsules in contact.
+  struct Side {
+    std::int32_t element;
+    Slots slot;
+    std::array<Weights, 2> end;            // shape functions at the capsule's ends
+    Weights point;                         // and at the point of its axis nearest to the other one
+    double fraction;                       // where that is between the ends
+    double radius, length;                 // m, of the capsule
+    Eigen::Vector3d tangent;               // the axis' direction less its part along the normal
+    std::array<Eigen::Vector3d, 2> force;  // N, on the ends
+  };
+  struct Contact {
+    std::array<Side, 2> side;
+    Eigen::Vector3d normal;  // from the second to the first
+    double distance;         // m, of the axes
+    double reach;            // m, sum of the radii
+    double stiffness;        // K, N/m^1.5
+    double normal_force;     // N
+  };
+  struct Velocities {  // of a contact, m/s: first less second
+    Eigen::Vector3d point;
+    std::array<Eigen::Vector3d, 2> spread;  // by side, of its first end against its second
+  };
+
+  bool is_least(const NearSegments& near, bool second, double fraction, const Eigen::Vector3d& separation,
+                const SlotVectors& coordinates, const std::vector<double>& element_length) const;
+  void test(const NearSegments& near, const SlotVectors& coordinates, const std::vector<double>& element_length,
+            double dt);
+  Side make_side(std::int32_t element, std::int32_t segment, double fraction, double length) const;
+  double material_stiffness(std::int32_t first, std::int32_t second) const;
+  Velocities relative_velocity(const Contact& contact, const SlotVectors& velocities) const;
+  void set_forces(Contact& contact, const SlotVectors& velocities, const ContactedSlots& contacted,
+                  std::span<const double> inverse_mass, double dt) const;
+  std::array<double, 2> friction(const Contact& contact, const Velocities& velocity, const ContactedSlots& contacted,
+                                 std::span<const double> inverse_mass, double axis_inverse_mass, double dt) const;
+  // Calls function(contact, side, corner) for every node and gradient of every contact, such that the order of those at
+  // any one slot is the same in every sector.
+  template <typename Function>
+  void for_each_corner(const Function& function) const;
+
+  ContactSettings settings_;
+  double damping_;  // alpha of force_law.h
+  CordPolyline polyline_;
+  CordPairs pairs_;
+  CordSearch search_;
+  std::vector<double> radius_;                    // m, by element
+  std::vector<double> compliance_;                // (1 - nu^2)/E, 1/Pa, by element
+  std::vector<double> mass_per_length_;           // kg/m, by element
+  std::vector<std::int32_t> previous_, next_;     // by element: the one before it and after it along its cord, or -1
+  std::vector<CordPolyline::Vertices> vertices_;  // of search_.near_elements()
+  std::vector<Contact> contacts_;
+  std::vector<std::int32_t> contact_of_near_;  // by search_.near(): index into contacts_, or -1
+};
+
+}  // namespace netpocket

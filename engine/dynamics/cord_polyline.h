@@ -1,0 +1,59 @@
+#pragma once
+// Cords as contact among themselves sees them: each element a chain of straight capsules through points of its curve,
+// which ends at the element's nodes. So cords are closed chains: nothing slips through between two capsules.
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "engine/ancf/shape_functions.h"
+#include "engine/contact/segment_distance.h"
+#include "engine/dynamics/slot_state.h"
+#include "engine/model/model.h"
+
+namespace netpocket {
+
+class CordPolyline {
+ public:
+  static constexpr int kSegments = 4;
+  using Vertices = std::array<Eigen::Vector3d, kSegments + 1>;
+  using Weights = std::array<double, 4>;  // of position1, gradient1, position2, gradient2
+
+  CordPolyline(const Model& model, const SlotLayout& layout) {
+    for (std::size_t i = 0; i < unit_weights_.size(); ++i) {
+      const NodalWeights weights = shape(2.0 * static_cast<double>(i) / kSegments - 1, 1.0);
+      unit_weights_[i] = {weights[0], weights[1], weights[2], weights[3]};
+    }
+    for (const ModelElement& element : model.elements) {
+      slots_.push_back({layout.position(element.node1), layout.gradient(element.gradient1),
+                        layout.position(element.node2), layout.gradient(element.gradient2)});
+    }
+  }
+
+  const std::array<std::int32_t, 4>& slots(std::int32_t element) const {
+    return slots_[static_cast<std::size_t>(element)];
+  }
+  // Shape functions at a vertex of an element of `length` (m).
+  Weights weights(int vertex, double length) const {
+    const Weights& unit = unit_weights_[static_cast<std::size_t>(vertex)];
+    return {unit[0], length * unit[1], unit[2], length * unit[3]};
+  }
+  // A vertex (m), or its velocity (m/s).
+  Eigen::Vector3d vertex(const SlotVectors& vectors, double length, std::int32_t element, int vertex) const {
+    const auto& slot = slots(element);
+    const Weights weight = weights(vertex, length);
+    return (weight[0] * vectors.get(slot[0]) + weight[1] * vectors.get(slot[1])) +
+           (weight[2] * vectors.get(slot[2]) + weight[3] * vectors.get(slot[3]));
+  }
+  Vertices vertices(const SlotVectors& coordinates, double length, std::int32_t element) const {
+    Vertices result;
+    for (int i = 0; i <= kSegments; ++i) result[static_cast<std::size_t>(i)] = vertex(coordinates, length, element, i);
+    return result;
+  }
+
+ private:
+  std::array<Weights, kSegments + 1> unit_weights_;  // by vertex, for unit length
+  std::vector<std::array<std::int32_t, 4>> slots_;   // by element
+};
+
+}  // namespace netpocket

@@ -1,0 +1,203 @@
+#include "engine/dynamics/cord_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "engine/bodies/symmetric_algebra.h"
+
+namespace netpocket {
+namespace {
+
+using Eigen::AlignedBox3d;
+using Eigen::Vector3d;
+
+// Most steps between two surveys of what is near, and the farthest (m) that anything may travel between them.
+constexpr int kLongestSurveyInterval = 16;
+constexpr double kLongestTravel = 0.05;
+// Clearance (m) below which capsules are tested at every step, besides what they may move until the next survey.
+constexpr double kNearMargin = 0.02;
+// Margin of the broad phase, of the elements' mean length: about as many pairs for any fineness of the mesh.
+constexpr double kBroadMargin = 0.6;
+// The pocket's symmetry: index = local * kSectors + sector, as in SectorSum.
+constexpr std::int32_t kSectors = 8;
+
+// The middle control points of the Bezier form of an element's cubic less the points of its chord at 1/3 and 2/3. The
+// curve is off the chord by no more than 3/4 of the longer of the two: 3t(1-t)^2 + 3t^2(1-t) <= 3/4.
+struct Sag {
+  Vector3d first, second;
+};
+
+Sag sag(const Vector3d& chord, const Vector3d& gradient1, const Vector3d& gradient2, double length) {
+  return {(length * gradient1 - chord) / 3, (chord - length * gradient2) / 3};
+}
+
+double broad_margin(const Model& model) {
+  if (model.elements.empty()) return kBroadMargin;
+  double length = 0;
+  for (const ModelElement& element : model.elements) length += element.length;
+  return kBroadMargin * length / static_cast<double>(model.elements.size());
+}
+
+bool is_sound(const AlignedBox3d& box) {
+  constexpr double kFarthest = 1e9;  // m
+  return box.min().allFinite() && box.max().allFinite() && box.min().cwiseAbs().maxCoeff() < kFarthest &&
+         box.max().cwiseAbs().maxCoeff() < kFarthest;
+}
+
+}  // namespace
+
+CordSearch::CordSearch(const Model& model, const CordPolyline& polyline, const CordPairs& pairs)
+    : polyline_(polyline),
+      pairs_(pairs),
+      node_count_(static_cast<std::int32_t>(model.nodes.size())),
+      first_gradient_(SlotLayout{node_count_, 0}.gradient(0)),
+      quarter_length_(Eigen::ArrayXd::Zero(static_cast<Eigen::Index>(model.gradients.size()))),
+      broad_phase_(static_cast<int>(model.elements.size()), broad_margin(model)),
+      near_place_(model.elements.size(), -1) {
+  for (std::size_t i = 0; i < model.elements.size(); ++i) {
+    radius_.push_back(model.material_of(static_cast<std::int32_t>(i)).radius);
+    const ModelElement& element = model.elements[i];
+    for (const std::int32_t gradient : {element.gradient1, element.gradient2}) {
+      double& quarter = quarter_length_[gradient];
+      quarter = std::max(quarter, 0.25 * element.length);
+    }
+  }
+}
+
+void CordSearch::forget() {
+  steps_to_survey_ = 0;
+  broad_phase_.advance(std::numeric_limits<double>::infinity());
+  for (Candidate& candidate : candidates_) candidate.clear_until = 0;
+}
+
+// Bound of the speed (m/s) of any point of a cord: |S_2| + |S_4| = L (1 - xi^2)/4.
+double CordSearch::fastest(const SlotVectors& velocities) const {
+  if (node_count_ == 0 || quarter_length_.size() == 0) return 0;
+  const auto gradients = static_cast<std::int32_t>(quarter_length_.size());
+  const double node = velocities.squared_norms(0, node_count_).maxCoeff();
+  const double gradient = (quarter_length_.square() * velocities.squared_norms(first_gradient_, gradients)).maxCoeff();
+  return std::sqrt(node) + std::sqrt(gradient);
+}
+
+bool CordSearch::update_candidates(const SlotVectors& coordinates, const std::vector<double>& element_length) {
+  std::vector<AlignedBox3d> boxes;
+  boxes.reserve(radius_.size());
+  for (std::size_t i = 0; i < radius_.size(); ++i) {
+    const auto& slot = polyline_.slots(static_cast<std::int32_t>(i));
+    const Vector3d r1 = coordinates.get(slot[0]), r2 = coordinates.get(slot[2]);
+    const double third = element_length[i] / 3;
+    // The control polygon of the Bezier form holds the curve.
+    AlignedBox3d box(r1);
+    box.extend(r2);
+    box.extend(Vector3d(r1 + third * coordinates.get(slot[1])));
+    box.extend(Vector3d(r2 - third * coordinates.get(slot[3])));
+    boxes.emplace_back(box.min().array() - radius_[i], box.max().array() + radius_[i]);
+  }
+  if (!std::ranges::all_of(boxes, is_sound)) return false;
+  if (!broad_phase_.update(boxes, {})) return true;
+  candidates_.clear();
+  for (const auto& [first, second] : broad_phase_.pairs()) {
+    if (!pairs_.may_touch(first, second)) continue;
+    if (least_gap(coordinates, element_length, first, second) > broad_phase_.margin()) continue;
+    candidates_.push_back({first, second, 0});
+  }
+  return true;
+}
+
+double CordSearch::least_gap(const SlotVectors& coordinates, const std::vector<double>& element_length,
+                             std::int32_t first, std::int32_t second) const {
+  double sags = 0;
+  const auto chord = [&](std::int32_t element) {
+    const auto& slot = polyline_.slots(element);
+    const Segment segment{coordinates.get(slot[0]), coordinates.get(slot[2])};
+    const auto [one, other] = sag(segment.end - segment.start, coordinates.get(slot[1]), coordinates.get(slot[3]),
+                                  element_length[static_cast<std::size_t>(element)]);
+    sags += 0.75 * std::sqrt(std::max(one.squaredNorm(), other.squaredNorm()));
+    return segment;
+  };
+  const Segment a = chord(first), b = chord(second);
+  const double thickness = radius_[static_cast<std::size_t>(first)] + radius_[static_cast<std::size_t>(second)];
+  return closest_points(a, b).distance - sags - thickness;
+}
+
+std::int32_t CordSearch::near_index(std::int32_t element) {
+  std::int32_t& place = near_place_[static_cast<std::size_t>(element)];
+  if (place < 0) {
+    place = static_cast<std::int32_t>(near_elements_.size());
+    near_elements_.push_back(element);
+  }
+  return place;
+}
+
+void CordSearch::add_near_segments(const SlotVectors& coordinates, const std::vector<double>& element_length,
+                                   const Candidate& candidate, double reach) {
+  const auto a_index = static_cast<std::size_t>(candidate.first), b_index = static_cast<std::size_t>(candidate.second);
+  const auto a = polyline_.vertices(coordinates, element_length[a_index], candidate.first);
+  const auto b = polyline_.vertices(coordinates, element_length[b_index], candidate.second);
+  const double near = reach + radius_[a_index] + radius_[b_index];
+  for (std::size_t i = 0; i < CordPolyline::kSegments; ++i) {
+    for (std::size_t j = 0; j < CordPolyline::kSegments; ++j) {
+      if (closest_points({a[i], a[i + 1]}, {b[j], b[j + 1]}).distance > near) continue;
+      near_.push_back({near_index(candidate.first), near_index(candidate.second), static_cast<std::int32_t>(i),
+                       static_cast<std::int32_t>(j)});
+    }
+  }
+}
+
+void CordSearch::survey(const SlotVectors& coordinates, const SlotVectors& velocities,
+                        const std::vector<double>& element_length, double dt) {
+  // Twice the present speed for what speeds up meanwhile.
+  travel_per_step_ = 2 * fastest(velocities) * dt;
+  steps_to_survey_ = kLongestSurveyInterval;
+  if (travel_per_step_ * kLongestSurveyInterval > kLongestTravel) {
+    steps_to_survey_ = std::max(1, static_cast<int>(kLongestTravel / travel_per_step_));
+  }
+  const double travel = travel_per_step_ * steps_to_survey_;
+  for (const std::int32_t element : near_elements_) near_place_[static_cast<std::size_t>(element)] = -1;
+  near_elements_.clear();
+  near_.clear();
+  if (broad_phase_.advance(travel) && !update_candidates(coordinates, element_length)) {
+    candidates_.clear();
+    forget();
+    sides_.clear();
+    return;
+  }
+  const double reach = kNearMargin + 2 * travel;
+  for (Candidate& candidate : candidates_) {
+    if (2 * (candidate.clear_until - travelled_) > reach) continue;
+    const double gap = least_gap(coordinates, element_length, candidate.first, candidate.second);
+    candidate.clear_until = travelled_ + 0.5 * gap;
+    if (gap < reach) add_near_segments(coordinates, element_length, candidate, reach);
+  }
+  travelled_ += travel;
+  sort_sides();
+}
+
+void CordSearch::sort_sides() {
+  sides_.clear();
+  for (std::size_t i = 0; i < near_.size(); ++i) {
+    sides_.push_back({static_cast<std::int32_t>(i), false});
+    sides_.push_back({static_cast<std::int32_t>(i), true});
+  }
+  const auto key = [&](const NearSide& side) {
+    const NearSegments& pair = near_[static_cast<std::size_t>(side.pair)];
+    std::int32_t own = near_elements_[static_cast<std::size_t>(pair.first)], own_segment = pair.first_segment;
+    std::int32_t other = near_elements_[static_cast<std::size_t>(pair.second)], other_segment = pair.second_segment;
+    if (side.second) {
+      std::swap(own, other);
+      std::swap(own_segment, other_segment);
+    }
+    const std::int32_t turn = (other % kSectors - own % kSectors + kSectors) % kSectors;
+    return std::tuple(own / kSectors, other / kSectors, turn, own_segment, other_segment, own % kSectors);
+  };
+  std::ranges::sort(sides_, {}, key);
+}
+
+void CordSearch::update(const SlotVectors& coordinates, const SlotVectors& velocities,
+                        const std::vector<double>& element_length, double dt) {
+  if (steps_to_survey_ <= 0) survey(coordinates, velocities, element_length, dt);
+  --steps_to_survey_;
+}
+
+}  // namespace netpocket

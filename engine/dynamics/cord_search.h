@@ -1,0 +1,87 @@
+#pragma once
+// Looks for the places where cords may touch each other during the next steps.
+//
+// In three stages, each of which is asked again only when motion demands it: pairs of elements within a margin of each
+// other (broad_phase.h, seldom), those of them that are near (every 16 steps at most, each only when the way travelled
+// since could have used up its clearance), and the pairs of capsules on near elements (tested at every step by the
+// caller). Nothing near costs nothing.
+//
+// The answer holds all that may touch. What it holds beyond depends on the history; its order does not.
+
+#include <Eigen/Geometry>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "engine/contact/broad_phase.h"
+#include "engine/dynamics/cord_pairs.h"
+#include "engine/dynamics/cord_polyline.h"
+
+namespace netpocket {
+
+// Two capsules that may touch: segment `first_segment` of the element near_elements()[first] and likewise of another.
+struct NearSegments {
+  std::int32_t first, second;
+  std::int32_t first_segment, second_segment;
+};
+
+// One side of NearSegments: near()[pair] seen from its first or its second element.
+struct NearSide {
+  std::int32_t pair;
+  bool second;
+};
+
+class CordSearch {
+ public:
+  CordSearch(const Model& model, const CordPolyline& polyline, const CordPairs& pairs);
+
+  // To be called when positions have changed other than by steps.
+  void forget();
+
+  // To be called at every step, before what it finds is asked for. `element_length` in m, by element; `dt` in s.
+  void update(const SlotVectors& coordinates, const SlotVectors& velocities, const std::vector<double>& element_length,
+              double dt);
+
+  std::span<const std::int32_t> near_elements() const { return near_elements_; }
+  std::span<const NearSegments> near() const { return near_; }
+  // Both sides of near(), in an order that is the same in every sector of a pocket (index = local * 8 + sector): by
+  // what the side's own element and the other one are locally, how many sectors lie between, and their segments.
+  std::span<const NearSide> sides() const { return sides_; }
+  // m, most that any point may travel in a step until the next survey
+  double travel_per_step() const { return travel_per_step_; }
+
+ private:
+  struct Candidate {
+    std::int32_t first, second;
+    double clear_until;  // m of travel, as travelled_ counts it, up to which the two cannot touch
+  };
+  void survey(const SlotVectors& coordinates, const SlotVectors& velocities, const std::vector<double>& element_length,
+              double dt);
+  double fastest(const SlotVectors& velocities) const;
+  // False when the state is lost: then there is nothing to look for.
+  bool update_candidates(const SlotVectors& coordinates, const std::vector<double>& element_length);
+  // Least gap that two elements can have, by their chords and how far the curves are off them, m.
+  double least_gap(const SlotVectors& coordinates, const std::vector<double>& element_length, std::int32_t first,
+                   std::int32_t second) const;
+  void add_near_segments(const SlotVectors& coordinates, const std::vector<double>& element_length,
+                         const Candidate& candidate, double reach);
+  std::int32_t near_index(std::int32_t element);
+  void sort_sides();
+
+  const CordPolyline& polyline_;
+  const CordPairs& pairs_;
+  std::int32_t node_count_, first_gradient_;
+  std::vector<double> radius_;     // m, by element
+  Eigen::ArrayXd quarter_length_;  // m, by gradient, of the longest element there
+  BroadPhase broad_phase_;
+  std::vector<Candidate> candidates_;
+  double travelled_ = 0;  // m, bound of the way of any point so far
+  double travel_per_step_ = 0;
+  int steps_to_survey_ = 0;
+  std::vector<std::int32_t> near_elements_;
+  std::vector<std::int32_t> near_place_;  // by element: in near_elements_, or -1
+  std::vector<NearSegments> near_;
+  std::vector<NearSide> sides_;
+};
+
+}  // namespace netpocket
