@@ -43,16 +43,17 @@ Scenario case3(int mesh, double safety) {
   scenario.closing.duration = 5;
   scenario.pocket.mesh_columns = scenario.pocket.mesh_rows = mesh;
   scenario.solver.safety = safety;
+  scenario.output.frame_rate = 100;
   return scenario;
 }
 
 class VerificationConvergence : public test::VerificationTest {};
 
 TEST_F(VerificationConvergence, HalfTheStep) {
-  const Outcome whole = run(case3(4, 0.8), 5), half = run(case3(4, 0.4), 5);
-  const std::string source = "case 3, 4 x 4 meshes, until closed; the same at half the step";
+  const Outcome whole = run(case3(6, 0.8), 5), half = run(case3(6, 0.4), 5);
+  const std::string source = "case 3 until closed; the same at half the step";
   expect_below("first contact, difference to half the step, s", std::abs(whole.first_contact - half.first_contact),
-               0.02, source + ": a frame is 0.02 s");
+               0.01, source + ": a frame is 0.01 s");
   expect_below("impulse on the target, relative difference to half the step",
                std::abs(whole.impulse / half.impulse - 1), 0.03, source);
   expect_below("separation at 5 s, difference to half the step, m", std::abs(whole.separation - half.separation), 0.005,
@@ -60,8 +61,8 @@ TEST_F(VerificationConvergence, HalfTheStep) {
 }
 
 TEST_F(VerificationConvergence, FinerMesh) {
-  const Outcome coarse = run(case3(4, 0.8), 5), fine = run(case3(6, 0.8), 5);
-  const std::string source = "case 3 until closed; 4 x 4 meshes against 6 x 6, whose net has another mass";
+  const Outcome coarse = run(case3(6, 0.8), 5), fine = run(case3(8, 0.8), 5);
+  const std::string source = "case 3 until closed; 6 x 6 meshes against 8 x 8, whose net has another mass";
   expect_below("first contact, difference to a finer mesh, s", std::abs(coarse.first_contact - fine.first_contact), 0.3,
                source);
   expect_below("separation at 5 s, difference to a finer mesh, m", std::abs(coarse.separation - fine.separation), 0.1,
