@@ -91,8 +91,10 @@ FindingCase bodies_rest_then_fluctuate(const RunHistory& run) {
   const FrameRange during = {first_frame, run.until_closed().last};
   const double target_rest = run.excursion(Body::target, before, 0).norm();
   const double craft_rest = run.excursion(Body::spacecraft, before, 0).norm();
-  const double target_y = run.excursion(Body::target, during, 0).y();
-  const double craft_y = run.excursion(Body::spacecraft, during, 0).y();
+  // From where they were when contact began: what the folding rods did to the spacecraft before is no fluctuation.
+  const std::size_t at_contact = first_frame > 0 ? first_frame - 1 : 0;
+  const double target_y = run.excursion(Body::target, during, at_contact).y();
+  const double craft_y = run.excursion(Body::spacecraft, during, at_contact).y();
   const bool rest = target_rest <= kTargetRest && craft_rest <= kSpacecraftRest;
   const bool slight = target_y > target_rest && craft_y > craft_rest && target_y < kSlight && craft_y < kSlight;
   return verdict(run, rest && slight,
@@ -277,7 +279,9 @@ std::vector<Statement> statements() {
        each(forces_alternate)},
       {"F7", "Target and spacecraft rest until contact, then move slightly in y before closing ends.",
        "until first contact the target moves at most 1 mm and the spacecraft 10 mm (the folding rods move it, as "
-       "momentum demands); from then until closing ends both move more than that in y, but less than 0.1 m",
+       "momentum demands); from where they are then until closing ends both move in y by more than they did before, "
+       "but "
+       "less than 0.1 m",
        each(bodies_rest_then_fluctuate)},
       {"F8", "In towing the forces are clearly smaller but contact persists.",
        "peak |F_y| after towing starts is below 50 % of that before, and more than half of the frames in towing have "

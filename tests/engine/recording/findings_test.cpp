@@ -144,6 +144,10 @@ std::vector<Departure> departures() {
       {"TargetMovesBeforeContact", "F7", set(Channel::target_y, 1, 2, 7.502)},
       {"SpacecraftMovesBeforeContact", "F7", set(Channel::spacecraft_y, 1, 2, -1.02)},
       {"TargetMovesFar", "F7", set(Channel::target_y, 6, 6.1, 7.65)},
+      {"SpacecraftMovesLessThanBeforeContact", "F7",
+       [](Snapshot& s, double) {
+         if (s.time > 1 && s.time <= 10) s.channel(Channel::spacecraft_y) = s.time < 7 ? -1.005 : -1.006;
+       }},
       {"NothingMoves", "F7", set(Channel::spacecraft_y, 0, 10, -1)},
       {"TowingForcesStayLarge", "F8", set(Channel::contact_fy, 12, 12.1, 25)},
       {"ContactLostInTowing", "F8",
