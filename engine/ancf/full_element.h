@@ -3,13 +3,16 @@
 // Eqs. 10 to 15). Strain energy 1/2 int (EA eps^2 + EI kappa^2) dp with 5 Gauss points for the axial and 3 for the
 // bending part, internal damping EA (eps + c deps/dt) and EI (kappa + c dkappa/dt).
 //
-// With a = r', b = r'', A = a.a and G = |a x b|^2 the curvature kappa^2 = G A^-n has no singular derivative at
-// kappa = 0. It does have one at a = 0: where a slack cord gathers up, |a| -> 0, EI kappa^2 grows like 1/|a|^4 (green)
-// or 1/|a|^2 (material), and so do its forces, beyond any time step. Bending theory ends long before. Where
-// |a| < smallest_stretch, A^-n is therefore continued by its second-order Taylor polynomial in A about
-// smallest_stretch^2 (twice continuously differentiable, finite at a = 0, still an energy); elsewhere it is exact.
-// That bounds the forces. Only an axial stiffness keeps |a| from vanishing: give slack cords a small
-// CableSection::compression.
+// With a = r', b = r'', A = a.a and G = |a x b|^2 the curvature kappa^2 = G A^-n (n = 3, green, or 2, material) has no
+// singular derivative at kappa = 0. It does have one at a = 0, where a slack cord that carries no compression gathers
+// up: the bending stiffness grows like |a|^-4, beyond any time step, and were it merely kept finite, material gathered
+// at a point (a = 0) would turn freely there, for |a x b| vanishes: a hinge that costs nothing. Bending theory ends
+// long before. Written with B = b.b and C = a.b it is kappa^2 = A^(1-n) B - A^-n C^2; where |a| < smallest_stretch both
+// powers are continued by their second-order Taylor polynomials in A about A0 = smallest_stretch^2. With y = A/A0 - 1 <
+// 0 the sum is
+//   kappa^2 = A0^-n [1 - n y + n (n+1)/2 y^2] G + n (n+1)/2 A0^(1-n) (-y)^3 B:
+// twice continuously differentiable, an energy, bounded, and at a = 0 a multiple of B: what is gathered resists bending
+// and uneven gathering like the mean-strain element, whose bending energy is that of B.
 //
 // Forces resist: M qdd + internal_force = applied force. Values are in SI units and the world frame. While material is
 // wound in or out (MaterialSpan), rates of strain are those of material points.
@@ -26,7 +29,8 @@ enum class StrainMeasure {
 
 struct FullElementOptions {
   StrainMeasure measure = StrainMeasure::green;
-  double smallest_stretch = 0.5;  // |r'| down to which the curvature is exact
+  // |r'| down to which the curvature is exact: beyond 10 % of compression a cord has buckled within the element.
+  double smallest_stretch = 0.9;
 };
 
 class FullElement {

@@ -1,8 +1,12 @@
 // Compiled once per instruction set, NETPOCKET_ISA_NAME being the variant's namespace. The formulas are those of
-// full_element.cpp and strain_measure.cpp for the Green strain, in element units: with the chord slope
-// e = (r2 - r1)/L the slope and bend at a point are
-//   a = r' = ce e + c1 g1 + c2 g2          B = L r'' = de e + d1 g1 + d2 g2
-// with weights that depend on xi only, and K = L^2 kappa^2 = |a x B|^2 (a.a)^-3.
+// full_element.cpp and strain_measure.cpp for the Green strain, in element units and in modes: with the chord slope
+// e = (r2 - r1)/L, s = (g2 - g1)/2 and h = (g1 + g2)/2 - e the slope and bend at a point are
+//   a = r' = e + xi s + P2(xi) h          B = L r'' = 2 da/dxi = 2 s + 6 xi h          P2 = (3 xi^2 - 1)/2
+// so that what a point contributes needs no vectors at the point but
+//   a.a, B.B and their rates      from products of the modes, as polynomials in xi,
+//   w = a x B = 2 e x s + 6 xi e x h + (3 xi^2 + 1) s x h,
+// and forces on the modes follow from moments over the points: sums of stresses times powers of xi and P2. Points come
+// in pairs +-xi that share what is even and what is odd in xi.
 
 #include "engine/ancf/full_kernel.h"
 
@@ -16,134 +20,257 @@ namespace {
 using namespace lanes;
 
 constexpr double kVanishing = kBendingRoundOff * kBendingRoundOff;
-constexpr double kSmallestSquare = 0.25;  // FullElementOptions::smallest_stretch squared
+constexpr double kSmallestSquare = 0.81;  // FullElementOptions::smallest_stretch squared
 
-// Weights of e, g1 and g2 in a vector at a point of the element.
-struct Weights {
-  double e, g1, g2;
-};
-constexpr Weights slope_weights(double xi) {
-  return {1.5 * (1 - xi * xi), 0.25 * (xi - 1) * (3 * xi + 1), 0.25 * (xi + 1) * (3 * xi - 1)};
-}
-constexpr Weights bend_weights(double xi) { return {-6 * xi, 3 * xi - 1, 3 * xi + 1}; }
-
-// Values of e, g1 and g2 in each lane, or anything conjugate to them.
-struct Shape {
-  Lanes3 e, g1, g2;
-};
-
-NETPOCKET_INLINE Lanes3 combine(const Weights& w, const Shape& q) {
-  return (broadcast(w.e) * q.e + broadcast(w.g1) * q.g1) + broadcast(w.g2) * q.g2;
-}
-NETPOCKET_INLINE void add(Shape& force, const Weights& w, const Lanes3& density) {
-  force.e = force.e + broadcast(w.e) * density;
-  force.g1 = force.g1 + broadcast(w.g1) * density;
-  force.g2 = force.g2 + broadcast(w.g2) * density;
-}
 NETPOCKET_INLINE Lanes3 cross(const Lanes3& a, const Lanes3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
+NETPOCKET_INLINE Lanes3 scaled(double factor, const Lanes3& a) { return broadcast(factor) * a; }
 NETPOCKET_INLINE Lanes larger(const Lanes& a, const Lanes& b) { return a < b ? b : a; }
 
-// What the kernel knows of the elements of one part of a block.
+// Modes of the slope, or anything conjugate to them.
+struct Modes {
+  Lanes3 e, s, h;
+};
+NETPOCKET_INLINE Lanes dot(const Modes& a, const Modes& b) {
+  return (lanes::dot(a.e, b.e) + lanes::dot(a.s, b.s)) + lanes::dot(a.h, b.h);
+}
+
+// A value at the points xi and -xi.
+struct Pair {
+  Lanes plus, minus;
+};
+NETPOCKET_INLINE Pair pair_of(const Lanes& even, const Lanes& odd) { return {even + odd, even - odd}; }
+
+constexpr double legendre(double xi) { return (3 * xi * xi - 1) / 2; }
+
+// A product of two slopes, and of their bends, along the element.
+struct Product {
+  Lanes ee, es, eh, ss, sh, hh;
+
+  NETPOCKET_INLINE Lanes even(const Product& p, double xi) {
+    const double P2 = legendre(xi);
+    return (p.ee + broadcast(P2) * p.eh) + (broadcast(xi * xi) * p.ss + broadcast(P2 * P2) * p.hh);
+  }
+  NETPOCKET_INLINE Pair slopes(const Product& p, double xi) {
+    return pair_of(even(p, xi), broadcast(xi) * (p.es + broadcast(legendre(xi)) * p.sh));
+  }
+  NETPOCKET_INLINE Pair bends(const Product& p, double xi) {
+    return pair_of(broadcast(4.0) * p.ss + broadcast(36 * xi * xi) * p.hh, broadcast(12 * xi) * p.sh);
+  }
+};
+NETPOCKET_INLINE Product square(const Modes& a) {
+  const Lanes two = broadcast(2.0);
+  return {lanes::dot(a.e, a.e), two * lanes::dot(a.e, a.s), two * lanes::dot(a.e, a.h),
+          lanes::dot(a.s, a.s), two * lanes::dot(a.s, a.h), lanes::dot(a.h, a.h)};
+}
+NETPOCKET_INLINE Product product(const Modes& a, const Modes& b) {
+  return {
+      lanes::dot(a.e, b.e), lanes::dot(a.e, b.s) + lanes::dot(a.s, b.e), lanes::dot(a.e, b.h) + lanes::dot(a.h, b.e),
+      lanes::dot(a.s, b.s), lanes::dot(a.s, b.h) + lanes::dot(a.h, b.s), lanes::dot(a.h, b.h)};
+}
+
+// Parts of w = a x B, or of its rate.
+struct Twist {
+  Lanes3 es, eh, sh;
+};
+struct Pair3 {
+  Lanes3 plus, minus;
+};
+NETPOCKET_INLINE Lanes3 even(const Twist& t, double xi) { return scaled(2.0, t.es) + scaled(3 * xi * xi + 1, t.sh); }
+NETPOCKET_INLINE Pair3 at(const Twist& t, double xi) {
+  const Lanes3 middle = even(t, xi), odd = scaled(6 * xi, t.eh);
+  return {middle + odd, middle - odd};
+}
+
+// Sums over the points of an element: of stresses on a.a (and B.B) times products of 1, xi and P2, and of stresses on
+// w.w times w and the weights of its parts.
+struct Moments {
+  Lanes ee, es, eh, ss, sh, hh;
+  Twist w;
+};
+NETPOCKET_INLINE void add_slopes(Moments& m, double xi, const Pair& stress) {
+  const double P2 = legendre(xi);
+  const Lanes sum = stress.plus + stress.minus, difference = broadcast(xi) * (stress.plus - stress.minus);
+  const Lanes sum_P2 = broadcast(P2) * sum;
+  m.ee = m.ee + sum;
+  m.es = m.es + difference;
+  m.eh = m.eh + sum_P2;
+  m.ss = m.ss + broadcast(xi * xi) * sum;
+  m.sh = m.sh + broadcast(P2) * difference;
+  m.hh = m.hh + broadcast(P2) * sum_P2;
+}
+NETPOCKET_INLINE void add_middle_slope(Moments& m, const Lanes& stress) {
+  m.ee = m.ee + stress;
+  m.eh = m.eh - broadcast(0.5) * stress;
+  m.hh = m.hh + broadcast(0.25) * stress;
+}
+NETPOCKET_INLINE void add_bends(Moments& m, double xi, const Pair& stress, const Lanes& middle) {
+  const Lanes sum = stress.plus + stress.minus;
+  m.ss = m.ss + broadcast(4.0) * (sum + middle);
+  m.sh = m.sh + broadcast(12 * xi) * (stress.plus - stress.minus);
+  m.hh = m.hh + broadcast(36 * xi * xi) * sum;
+}
+NETPOCKET_INLINE void add_twists(Moments& m, double xi, const Pair& stress, const Lanes& middle_stress, const Pair3& w,
+                                 const Lanes3& middle) {
+  const Lanes3 plus = stress.plus * w.plus, minus = stress.minus * w.minus, at_middle = middle_stress * middle;
+  const Lanes3 sum = plus + minus;
+  m.w.es = m.w.es + scaled(2.0, sum + at_middle);
+  m.w.eh = m.w.eh + scaled(6 * xi, plus - minus);
+  m.w.sh = m.w.sh + (scaled(3 * xi * xi + 1, sum) + at_middle);
+}
+
+NETPOCKET_INLINE Modes forces(const Moments& m, const Modes& q) {
+  return {(m.ee * q.e + m.es * q.s + m.eh * q.h) + (cross(q.s, m.w.es) + cross(q.h, m.w.eh)),
+          (m.es * q.e + m.ss * q.s + m.sh * q.h) + (cross(m.w.es, q.e) + cross(q.h, m.w.sh)),
+          (m.eh * q.e + m.sh * q.s + m.hh * q.h) + (cross(m.w.eh, q.e) + cross(m.w.sh, q.s))};
+}
+
+// What the kernel knows of the elements of one part of a block. Stiffnesses are those of the whole element: EA L/2 and
+// EI/(4 L).
 struct Section {
-  Lanes stiffness, compression_stiffness, axial_damping, bending_damping;
-  Lanes length_rate, start_rate;  // of the material, in element lengths per second
+  Lanes stiffness, compression_stiffness, axial_damping, bending_stiffness, bending_damping;
 };
 
-// Rates of a and B at a material point because material moves through the element and its length changes.
-NETPOCKET_INLINE Lanes xi_rate(const Section& section, double xi) {
-  return broadcast(-2.0) * section.start_rate - broadcast(1 + xi) * section.length_rate;
-}
-NETPOCKET_INLINE Lanes3 convected_slope(const Section& section, double xi, const Shape& q, const Lanes3& bend) {
-  return (broadcast(0.5) * xi_rate(section, xi)) * bend - (section.length_rate * broadcast(slope_weights(xi).e)) * q.e;
-}
-NETPOCKET_INLINE Lanes3 convected_bend(const Section& section, double xi, const Shape& q, const Lanes3& bend) {
-  const Lanes3 third = combine({-6, 3, 3}, q);
-  return xi_rate(section, xi) * third - section.length_rate * (bend + broadcast(bend_weights(xi).e) * q.e);
-}
-
-// Sums over the points of an element, each in the units its function says.
+// Moments of all points. Elastic and viscous ones are kept apart only where something needs them.
+template <bool kApart>
 struct Sums {
-  Shape force;
-  Lanes dissipated, fed;
+  Moments elastic, viscous;
+  Lanes dissipated;
+  Lanes growth;  // L d(energy)/dL at fixed modes; only where kept apart
 };
 
-// Adds the axial force and powers of a point, without the factor L/2.
-template <bool kVariable>
-NETPOCKET_INLINE void axial_point(const QuadraturePoint& point, const Section& section, const Shape& q,
-                                  const Shape& velocity, Sums& sums) {
-  const Weights weights = slope_weights(point.xi);
-  const Lanes3 a = combine(weights, q);
-  Lanes3 flow{}, a_rate = combine(weights, velocity);
-  if constexpr (kVariable) {
-    flow = convected_slope(section, point.xi, q, combine(bend_weights(point.xi), q));
-    a_rate = a_rate + flow;
-  }
-  const Lanes strain = broadcast(0.5) * (dot(a, a) - broadcast(1.0));
-  const Lanes strain_rate = dot(a, a_rate);
+// Stress on a.a, halved, by stretching at one point.
+struct Stress {
+  Lanes elastic, viscous;
+};
+template <bool kApart>
+NETPOCKET_INLINE Stress axial_stress(double weight, const Section& section, const Lanes& square, const Lanes& half_rate,
+                                     Sums<kApart>& sums) {
+  const Lanes strain = broadcast(0.5) * (square - broadcast(1.0));
   const Lanes stiffness =
-      broadcast(point.weight) * (strain < broadcast(0.0) ? section.compression_stiffness : section.stiffness);
-  const Lanes elastic = stiffness * strain, viscous = (stiffness * section.axial_damping) * strain_rate;
-  add(sums.force, weights, (elastic + viscous) * a);
-  sums.dissipated = sums.dissipated + viscous * strain_rate;
-  // A longer element has a shorter e at fixed coordinates; damping also works on the flow.
-  if constexpr (kVariable) {
-    const Lanes lengthening = broadcast(0.5) * strain - broadcast(weights.e) * dot(a, q.e);
-    sums.fed = sums.fed + (viscous * dot(a, flow) + section.length_rate * (elastic * lengthening));
-  }
-}
-
-// The same for bending, without the factor EI/(4 L).
-template <bool kVariable>
-NETPOCKET_INLINE void bending_point(const QuadraturePoint& point, const Section& section, const Shape& q,
-                                    const Shape& velocity, Sums& sums) {
-  const Weights slope = slope_weights(point.xi), bend = bend_weights(point.xi);
-  const Lanes3 a = combine(slope, q), B = combine(bend, q);
-  Lanes3 a_flow{}, B_flow{}, a_rate = combine(slope, velocity), B_rate = combine(bend, velocity);
-  if constexpr (kVariable) {
-    a_flow = convected_slope(section, point.xi, q, B);
-    B_flow = convected_bend(section, point.xi, q, B);
-    a_rate = a_rate + a_flow;
-    B_rate = B_rate + B_flow;
-  }
-  const Lanes3 w = cross(a, B);
-  const Lanes A = dot(a, a), G = dot(w, w);
-
-  // (a.a)^-3, below the smallest stretch its Taylor polynomial about A0; and the reciprocal of K. Two quotients from
-  // one division, which is by far the slowest operation here.
-  const Lanes A0 = larger(A, broadcast(kSmallestSquare)), step = A - A0;
-  const Lanes A0_2 = A0 * A0;
-  const Lanes polynomial = (A0_2 - broadcast(3.0) * (step * A0)) + broadcast(6.0) * (step * step);
-  const Lanes A0_5 = A0_2 * (A0_2 * A0);
-  const Lanes scaled_K = G * polynomial + broadcast(kVanishing) * A0_5;  // (K + vanishing) A0^5
-  const Lanes quotient = broadcast(1.0) / (A0 * scaled_K);
-  const Lanes reciprocal = scaled_K * quotient, reciprocal_2 = reciprocal * reciprocal;  // 1/A0
-  const Lanes reciprocal_4 = reciprocal_2 * reciprocal_2;
-  const Lanes power = (reciprocal_4 * reciprocal) * polynomial;
-  const Lanes power_slope = broadcast(-3.0) * (reciprocal_4 * (broadcast(1.0) - broadcast(4.0) * (step * reciprocal)));
-
-  // Derivatives of K by a and B, halved.
-  const Lanes3 K_a = power * cross(B, w) + (G * power_slope) * a;
-  const Lanes3 K_B = power * cross(w, a);
-  const Lanes half_rate = dot(K_a, a_rate) + dot(K_B, B_rate);
-  const Lanes growth = section.bending_damping * ((half_rate * (A0 * quotient)) * A0_5);  // c d(kappa)/dt / kappa
-  const Lanes elastic = broadcast(2 * point.weight), viscous = elastic * growth;
-  add(sums.force, slope, (elastic + viscous) * K_a);
-  add(sums.force, bend, (elastic + viscous) * K_B);
+      broadcast(weight) * (strain < broadcast(0.0) ? section.compression_stiffness : section.stiffness);
+  const Lanes elastic = stiffness * strain, viscous = (stiffness * section.axial_damping) * half_rate;
   sums.dissipated = sums.dissipated + viscous * half_rate;
-  if constexpr (kVariable) {
-    const Lanes lengthening =
-        (broadcast(slope.e) * dot(K_a, q.e) + broadcast(bend.e) * dot(K_B, q.e)) + broadcast(0.5) * (G * power);
-    sums.fed =
-        sums.fed + (viscous * (dot(K_a, a_flow) + dot(K_B, B_flow)) - section.length_rate * (elastic * lengthening));
+  if constexpr (kApart) sums.growth = sums.growth + broadcast(0.5) * (elastic * strain);
+  return {elastic, viscous};
+}
+
+template <bool kApart>
+NETPOCKET_INLINE void add_axial(const Section& section, const Product& square, const Product& rate,
+                                Sums<kApart>& sums) {
+  const auto middle = axial_stress(kGauss5[2].weight, section, Product::even(square, 0), Product::even(rate, 0), sums);
+  if constexpr (kApart) add_middle_slope(sums.viscous, middle.viscous);
+  add_middle_slope(sums.elastic, kApart ? middle.elastic : middle.elastic + middle.viscous);
+#pragma GCC unroll 2
+  for (int i = 3; i < 5; ++i) {
+    const double xi = kGauss5[i].xi, weight = kGauss5[i].weight;
+    const Pair A = Product::slopes(square, xi), A_rate = Product::slopes(rate, xi);
+    const Stress plus = axial_stress(weight, section, A.plus, A_rate.plus, sums);
+    const Stress minus = axial_stress(weight, section, A.minus, A_rate.minus, sums);
+    if constexpr (kApart) {
+      add_slopes(sums.elastic, xi, {plus.elastic, minus.elastic});
+      add_slopes(sums.viscous, xi, {plus.viscous, minus.viscous});
+    } else {
+      add_slopes(sums.elastic, xi, {plus.elastic + plus.viscous, minus.elastic + minus.viscous});
+    }
   }
 }
 
-NETPOCKET_INLINE Shape load_shape(const SlotArrays& arrays, const ElementBlock& block, const Lanes& inverse_length,
+// Three reciprocals from one division, which is by far the slowest operation here.
+struct Three {
+  Lanes first, second, third;
+};
+NETPOCKET_INLINE Three reciprocals(const Lanes& a, const Lanes& b, const Lanes& c) {
+  const Lanes ab = a * b, all = broadcast(1.0) / (ab * c), of_ab = all * c;
+  return {of_ab * b, of_ab * a, all * ab};
+}
+
+// K = L^2 kappa^2 = power G + spread B.B at one point, with its derivatives by a.a.
+struct Curvature {
+  Lanes power, spread, square_slope;  // dK/dG, dK/d(B.B), dK/d(a.a)
+  Lanes value, half_rate;
+};
+NETPOCKET_INLINE Curvature curvature(const Lanes& A, const Lanes& A0, const Lanes& inverse_A0, const Lanes& half_A_rate,
+                                     const Lanes3& w, const Lanes3& w_rate, const Lanes& BB,
+                                     const Lanes& half_BB_rate) {
+  const Lanes y = (A - A0) * inverse_A0, y_2 = y * y;  // 0 where the cord is not gathered
+  const Lanes inverse_2 = inverse_A0 * inverse_A0, inverse_3 = inverse_2 * inverse_A0;
+  const Lanes G = lanes::dot(w, w);
+  Curvature k;
+  k.power = inverse_3 * ((broadcast(1.0) - broadcast(3.0) * y) + broadcast(6.0) * y_2);
+  k.spread = broadcast(-6.0) * (inverse_2 * (y_2 * y));
+  k.square_slope = (inverse_2 * inverse_2) * (G * (broadcast(12.0) * y - broadcast(3.0))) -
+                   broadcast(18.0) * ((inverse_3 * y_2) * BB);
+  k.value = k.power * G + k.spread * BB;
+  k.half_rate = (k.power * lanes::dot(w, w_rate) + k.spread * half_BB_rate) + k.square_slope * half_A_rate;
+  return k;
+}
+
+template <bool kApart>
+NETPOCKET_INLINE Stress bending_stress(double weight, const Section& section, const Curvature& k,
+                                       const Lanes& inverse_K, Sums<kApart>& sums) {
+  const Lanes elastic = broadcast(2 * weight) * section.bending_stiffness;
+  const Lanes growth = section.bending_damping * (k.half_rate * inverse_K);  // c d(kappa)/dt / kappa
+  const Lanes viscous = elastic * growth;
+  sums.dissipated = sums.dissipated + viscous * k.half_rate;
+  if constexpr (kApart) sums.growth = sums.growth - broadcast(0.5) * (elastic * k.value);
+  return {elastic, viscous};
+}
+
+template <bool kApart>
+NETPOCKET_INLINE void add_bending(const Section& section, const Product& square, const Product& rate,
+                                  const Twist& twist, const Twist& twist_rate, Sums<kApart>& sums) {
+  constexpr double xi = kGauss3[2].xi;
+  const Pair A = Product::slopes(square, xi), A_rate = Product::slopes(rate, xi);
+  const Pair BB = Product::bends(square, xi), BB_rate = Product::bends(rate, xi);
+  const Pair3 w = at(twist, xi), w_rate = at(twist_rate, xi);
+  const Lanes A_middle = Product::even(square, 0);
+  const Lanes3 w_middle = even(twist, 0);
+  const Lanes least = broadcast(kSmallestSquare);
+  const Lanes A0_plus = larger(A.plus, least), A0_minus = larger(A.minus, least), A0_middle = larger(A_middle, least);
+  const Three inverse_A0 = reciprocals(A0_plus, A0_minus, A0_middle);
+  const Curvature plus =
+      curvature(A.plus, A0_plus, inverse_A0.first, A_rate.plus, w.plus, w_rate.plus, BB.plus, BB_rate.plus);
+  const Curvature minus =
+      curvature(A.minus, A0_minus, inverse_A0.second, A_rate.minus, w.minus, w_rate.minus, BB.minus, BB_rate.minus);
+  const Curvature middle = curvature(A_middle, A0_middle, inverse_A0.third, Product::even(rate, 0), w_middle,
+                                     even(twist_rate, 0), broadcast(4.0) * square.ss, broadcast(4.0) * rate.ss);
+  const Lanes vanishing = broadcast(kVanishing);
+  const Three inverse_K = reciprocals(plus.value + vanishing, minus.value + vanishing, middle.value + vanishing);
+  const Stress at_plus = bending_stress(kGauss3[2].weight, section, plus, inverse_K.first, sums);
+  const Stress at_minus = bending_stress(kGauss3[0].weight, section, minus, inverse_K.second, sums);
+  const Stress at_middle = bending_stress(kGauss3[1].weight, section, middle, inverse_K.third, sums);
+
+  const auto add = [&](Moments & m, const Lanes& p, const Lanes& n, const Lanes& c) __attribute__((always_inline)) {
+    add_slopes(m, xi, {p * plus.square_slope, n * minus.square_slope});
+    add_middle_slope(m, c * middle.square_slope);
+    add_bends(m, xi, {p * plus.spread, n * minus.spread}, c * middle.spread);
+    add_twists(m, xi, {p * plus.power, n * minus.power}, c * middle.power, w, w_middle);
+  };
+  if constexpr (kApart) {
+    add(sums.elastic, at_plus.elastic, at_minus.elastic, at_middle.elastic);
+    add(sums.viscous, at_plus.viscous, at_minus.viscous, at_middle.viscous);
+  } else {
+    add(sums.elastic, at_plus.elastic + at_plus.viscous, at_minus.elastic + at_minus.viscous,
+        at_middle.elastic + at_middle.viscous);
+  }
+}
+
+NETPOCKET_INLINE Modes load_modes(const SlotArrays& arrays, const ElementBlock& block, const Lanes& inverse_length,
                                   int part) {
   const Lanes3 r1 = load_slot(arrays, block, 0, part), r2 = load_slot(arrays, block, 2, part);
-  return {inverse_length * (r2 - r1), load_slot(arrays, block, 1, part), load_slot(arrays, block, 3, part)};
+  const Lanes3 g1 = load_slot(arrays, block, 1, part), g2 = load_slot(arrays, block, 3, part);
+  const Lanes3 e = inverse_length * (r2 - r1);
+  return {e, scaled(0.5, g2 - g1), scaled(0.5, g1 + g2) - e};
+}
+
+// Rates of the modes at a material point because material moves through the element and its length changes:
+// xid B/2 - (Ld/L) (1 - P2) e with xid = -2 start_rate - (1 + xi) length_rate, both in element lengths per second.
+NETPOCKET_INLINE Modes flow(const Modes& q, const Lanes& start_rate, const Lanes& length_rate) {
+  const Lanes middle_rate = broadcast(-2.0) * start_rate - length_rate;  // xid in the middle
+  return {middle_rate * q.s - length_rate * (q.e + q.h), (broadcast(3.0) * middle_rate) * q.h - length_rate * q.s,
+          length_rate * (q.e - scaled(2.0, q.h))};
 }
 
 // Powers (BatchPower) of each lane.
@@ -156,32 +283,41 @@ NETPOCKET_INLINE void part_forces(const ElementBlock& block, const SectionRows& 
                                   int part, const SlotArrays& coordinates, const SlotArrays& velocities, double* out,
                                   PowerLanes& power) {
   const Lanes length = load(block.length, part), inverse_length = load(block.inverse_length, part);
-  const Shape q = load_shape(coordinates, block, inverse_length, part);
-  const Shape velocity = load_shape(velocities, block, inverse_length, part);
-  Section section = {load(rows.axial_stiffness, part),
-                     load(rows.compression_stiffness, part),
-                     load(rows.axial_damping, part),
-                     load(rows.bending_damping, part),
-                     Lanes{},
-                     Lanes{}};
+  const Modes q = load_modes(coordinates, block, inverse_length, part);
+  Modes velocity = load_modes(velocities, block, inverse_length, part);
+  Modes flowing{};
+  Lanes length_rate{};
   if constexpr (kVariable) {
-    section.length_rate = load(block.length_rate, part);
-    section.start_rate = inverse_length * load(start_rates, part);
+    length_rate = load(block.length_rate, part);
+    flowing = flow(q, inverse_length * load(start_rates, part), length_rate);
+    velocity = {velocity.e + flowing.e, velocity.s + flowing.s, velocity.h + flowing.h};
   }
-
-  Sums axial{}, bending{};
-#pragma GCC unroll 5
-  for (int i = 0; i < 5; ++i) axial_point<kVariable>(kGauss5[i], section, q, velocity, axial);
-#pragma GCC unroll 3
-  for (int i = 0; i < 3; ++i) bending_point<kVariable>(kGauss3[i], section, q, velocity, bending);
-
   const Lanes half = broadcast(0.5) * length;
-  const Lanes quarter = broadcast(0.25) * (load(rows.bending_rigidity, part) * inverse_length);
-  store3(out, 0, part, (broadcast(-1.0) * inverse_length) * (half * axial.force.e + quarter * bending.force.e));
-  store3(out, 3, part, half * axial.force.g1 + quarter * bending.force.g1);
-  store3(out, 6, part, half * axial.force.g2 + quarter * bending.force.g2);
-  power.dissipated = power.dissipated + (half * axial.dissipated + quarter * bending.dissipated);
-  if constexpr (kVariable) power.fed = power.fed + (half * axial.fed + quarter * bending.fed);
+  const Section section = {half * load(rows.axial_stiffness, part), half * load(rows.compression_stiffness, part),
+                           load(rows.axial_damping, part),
+                           broadcast(0.25) * (load(rows.bending_rigidity, part) * inverse_length),
+                           load(rows.bending_damping, part)};
+  const Product q_square = square(q), half_rate = product(q, velocity);
+  const Twist twist = {cross(q.e, q.s), cross(q.e, q.h), cross(q.s, q.h)};
+  const Twist twist_rate = {cross(velocity.e, q.s) + cross(q.e, velocity.s),
+                            cross(velocity.e, q.h) + cross(q.e, velocity.h),
+                            cross(velocity.s, q.h) + cross(q.s, velocity.h)};
+  Sums<kVariable> sums{};
+  add_axial(section, q_square, half_rate, sums);
+  add_bending(section, q_square, half_rate, twist, twist_rate, sums);
+
+  Modes force = forces(sums.elastic, q);
+  power.dissipated = power.dissipated + sums.dissipated;
+  if constexpr (kVariable) {
+    // A longer element has a shorter e at fixed coordinates; damping also works on the flow.
+    const Modes viscous = forces(sums.viscous, q);
+    const Lanes lengthening = lanes::dot(force.h - force.e, q.e);
+    power.fed = power.fed + (dot(viscous, flowing) + length_rate * (lengthening + sums.growth));
+    force = {force.e + viscous.e, force.s + viscous.s, force.h + viscous.h};
+  }
+  store3(out, 0, part, inverse_length * (force.h - force.e));
+  store3(out, 3, part, scaled(0.5, force.h - force.s));
+  store3(out, 6, part, scaled(0.5, force.h + force.s));
 }
 
 }  // namespace

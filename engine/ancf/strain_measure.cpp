@@ -13,20 +13,26 @@ double stretch(const Eigen::Vector3d& a) {
   return std::max(std::sqrt(squared_norm(a)), std::numeric_limits<double>::min());
 }
 
-// A^-n and its derivatives by A; n = 3 (green) or 2 (material). Below the smallest stretch its Taylor polynomial.
-struct InversePower {
-  InversePower(double A, const FullElementOptions& options) {
+// kappa^2 = power(A) G + spread(A) B with their derivatives by A; full_element.h says why.
+struct CurvatureWeights {
+  CurvatureWeights(double A, const FullElementOptions& options) {
     const double n = options.measure == StrainMeasure::green ? 3 : 2;
-    const double expansion_point = std::max(A, options.smallest_stretch * options.smallest_stretch);
-    const double power = 1 / (expansion_point * expansion_point * (n == 3 ? expansion_point : 1));
-    const double step = A - expansion_point;
-    const double slope = -n * power / expansion_point;
-    second = -(n + 1) * slope / expansion_point;
-    first = slope + second * step;
-    value = power + slope * step + second * step * step / 2;
+    const double smallest = options.smallest_stretch * options.smallest_stretch;
+    const double expansion_point = std::max(A, smallest);
+    const double inverse = 1 / expansion_point;
+    const double inverse_power = inverse * inverse * (n == 3 ? inverse : 1);
+    const double y = (A - expansion_point) * inverse;  // < 0 where gathered, else 0
+    power = inverse_power * (1 - n * y + n * (n + 1) / 2 * y * y);
+    power_slope = -n * inverse_power * inverse * (1 - (n + 1) * y);
+    power_bend = n * (n + 1) * inverse_power * inverse * inverse;
+    const double scale = -n * (n + 1) / 2 * inverse_power;
+    spread = scale * expansion_point * y * y * y;
+    spread_slope = 3 * scale * y * y;
+    spread_bend = 6 * scale * inverse * y;
   }
 
-  double value, first, second;
+  double power, power_slope, power_bend;     // A^-n, or its Taylor polynomial
+  double spread, spread_slope, spread_bend;  // 0 where not gathered
 };
 
 }  // namespace
@@ -53,11 +59,11 @@ SquaredCurvature::SquaredCurvature(const Eigen::Vector3d& a, const Eigen::Vector
                                    const FullElementOptions& options) {
   // The cross product keeps all digits of a small curvature; A B - C^2 would cancel them.
   const Eigen::Vector3d w = a.cross(b);
-  const double G = squared_norm(w);
-  const InversePower g(squared_norm(a), options);
-  value = G * g.value;
-  gradient_a = 2 * g.value * b.cross(w) + 2 * G * g.first * a;
-  gradient_b = 2 * g.value * w.cross(a);
+  const double G = squared_norm(w), B = squared_norm(b);
+  const CurvatureWeights g(squared_norm(a), options);
+  value = G * g.power + B * g.spread;
+  gradient_a = 2 * g.power * b.cross(w) + 2 * (G * g.power_slope + B * g.spread_slope) * a;
+  gradient_b = 2 * g.power * w.cross(a) + 2 * g.spread * b;
 }
 
 SquaredCurvatureHessian::SquaredCurvatureHessian(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
@@ -67,12 +73,14 @@ SquaredCurvatureHessian::SquaredCurvatureHessian(const Eigen::Vector3d& a, const
   const Eigen::Vector3d w = a.cross(b);
   const double G = squared_norm(w);
   const Eigen::Vector3d G_a = 2 * b.cross(w), G_b = 2 * w.cross(a);
-  const InversePower g(A, options);
+  const CurvatureWeights g(A, options);
 
-  aa = 2 * g.value * (B * one - b * b.transpose()) + 2 * g.first * (G_a * a.transpose() + a * G_a.transpose()) +
-       2 * G * g.first * one + 4 * G * g.second * a * a.transpose();
-  ab = 2 * g.value * (2 * a * b.transpose() - b * a.transpose() - C * one) + 2 * g.first * a * G_b.transpose();
-  bb = 2 * g.value * (A * one - a * a.transpose());
+  aa = 2 * g.power * (B * one - b * b.transpose()) + 2 * g.power_slope * (G_a * a.transpose() + a * G_a.transpose()) +
+       2 * (G * g.power_slope + B * g.spread_slope) * one +
+       4 * (G * g.power_bend + B * g.spread_bend) * a * a.transpose();
+  ab = 2 * g.power * (2 * a * b.transpose() - b * a.transpose() - C * one) + 2 * g.power_slope * a * G_b.transpose() +
+       4 * g.spread_slope * a * b.transpose();
+  bb = 2 * g.power * (A * one - a * a.transpose()) + 2 * g.spread * one;
 }
 
 }  // namespace netpocket

@@ -1,52 +1,53 @@
 #include "engine/ancf/variable_length.h"
 
-#include "engine/ancf/quadrature.h"
-#include "engine/ancf/shape_functions.h"
+#include "engine/ancf/mass.h"
 
 namespace netpocket {
+namespace {
 
-// Products of two cubics: four Gauss points are exact throughout.
+// Chord slope and what the flow adds to the velocity of the material at each node.
+struct Flow {
+  Flow(const MaterialSpan& span, const ElementCoordinates& q)
+      : e((q.col(2) - q.col(0)) / span.length), past1(-span.start_rate * e), past2(-span.end_rate * e) {}
 
-SpanInertia::SpanInertia(double mass_per_length, const MaterialSpan& span) {
-  mass.setZero();
-  mass_velocity.setZero();
-  mass_position.setZero();
-  for (const auto& [xi, weight] : kGauss4) {
-    const NodalWeights s = shape(xi, span.length);
-    const NodalWeights weighted = s * (weight * mass_per_length * span.length / 2);
-    mass += weighted * s.transpose();
-    mass_velocity += weighted * shape_rate(xi, span).transpose();
-    mass_position += weighted * shape_acceleration(xi, span).transpose();
-  }
-}
+  Eigen::Vector3d e, past1, past2;
+};
 
-ElementCoordinates SpanInertia::flow_force(const ElementCoordinates& q, const ElementCoordinates& velocity) const {
-  return 2 * apply(mass_velocity, velocity) + apply(mass_position, q);
-}
-
-ElementCoordinates apply(const Eigen::Matrix4d& matrix, const ElementCoordinates& columns) {
-  ElementCoordinates result;
-  for (int i = 0; i < 4; ++i) result.col(i) = combine(columns, matrix.row(i).transpose());
-  return result;
-}
+}  // namespace
 
 double kinetic_energy(double mass_per_length, const MaterialSpan& span, const ElementCoordinates& q,
                       const ElementCoordinates& velocity) {
-  double energy = 0;
-  for (const auto& [xi, weight] : kGauss4) energy += weight * squared_norm(material_velocity(xi, span, q, velocity));
-  return mass_per_length * energy * span.length / 4;
+  const Flow flow(span, q);
+  const NodalWeights mass = lumped_mass(mass_per_length, span.length);
+  return 0.5 * (mass[0] * squared_norm(velocity.col(0) + flow.past1) + mass[1] * squared_norm(velocity.col(1)) +
+                mass[2] * squared_norm(velocity.col(2) + flow.past2) + mass[3] * squared_norm(velocity.col(3)));
 }
 
-double inertia_feeding_power(double mass_per_length, const MaterialSpan& span, const ElementCoordinates& q,
-                             const ElementCoordinates& velocity, const ElementCoordinates& acceleration) {
-  double through = 0;
-  for (const auto& [xi, weight] : kGauss4) {
-    through +=
-        weight * dot(combine(q, shape_rate(xi, span)), material_acceleration(xi, span, q, velocity, acceleration));
-  }
-  const double in_at_end = squared_norm(material_velocity(1, span, q, velocity)) * span.end_rate;
-  const double out_at_start = squared_norm(material_velocity(-1, span, q, velocity)) * span.start_rate;
-  return mass_per_length * (through * span.length + in_at_end - out_at_start) / 2;
+ElementCoordinates flow_momentum(double mass_per_length, const MaterialSpan& span, const ElementCoordinates& q) {
+  const Flow flow(span, q);
+  const double node_mass = mass_per_length * span.length / 2;
+  ElementCoordinates momentum = ElementCoordinates::Zero();
+  momentum.col(0) = node_mass * flow.past1;
+  momentum.col(2) = node_mass * flow.past2;
+  return momentum;
+}
+
+ElementCoordinates flow_force(double mass_per_length, const MaterialSpan& span, const ElementCoordinates& q,
+                              const ElementCoordinates& velocity) {
+  const Flow flow(span, q);
+  const Eigen::Vector3d carried = (mass_per_length / 2) * (span.start_rate * (velocity.col(0) + flow.past1) +
+                                                           span.end_rate * (velocity.col(2) + flow.past2));
+  ElementCoordinates force = ElementCoordinates::Zero();
+  force.col(0) = carried;
+  force.col(2) = -carried;
+  return force;
+}
+
+double flow_work(double mass_per_length, const MaterialSpan& span, const ElementCoordinates& q,
+                 const ElementCoordinates& velocity) {
+  const Flow flow(span, q);
+  return mass_per_length * span.length / 2 *
+         (dot(flow.past1, velocity.col(0) + flow.past1) + dot(flow.past2, velocity.col(2) + flow.past2));
 }
 
 }  // namespace netpocket

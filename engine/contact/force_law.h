@@ -53,6 +53,12 @@ inline double repulsive_normal_force(const NormalLaw& law, double penetration, d
   return std::max(normal_force(law, penetration, separation_speed), 0.0);
 }
 
+// Deepest penetration (m) of an undamped impact at `speed` (m/s) with effective mass `mass` (kg) on the spring K
+// (N/m^1.5): Hertz, d = 1.093362 (m v^2/K)^0.4 = (5 m v^2/(4 K))^0.4.
+inline double depth_of_impact(double mass, double stiffness, double speed) {
+  return std::pow(1.25 * mass * speed * speed / stiffness, 0.4);
+}
+
 // K (N/m^1.5) of a contact whose impact at `speed` (m/s) with effective mass `mass` (kg) lasts `duration` (s): Hertz's
 // 3.218 (m^2/(K^2 v))^0.2 solved for K. The momentum that an impact transfers depends on the coefficient of restitution
 // and not on K, as long as impacts are short against everything else; so a contact that is stiffer than steps can

@@ -4,13 +4,6 @@
 #include "engine/dynamics/hinge_forces.h"
 
 namespace netpocket {
-namespace {
-
-// Rows of ElementBatch::states.
-constexpr std::size_t kStrain = 0, kStrainRate = 1, kBendingEnergy = 2;
-
-}  // namespace
-
 void CableSystem::Impl::compute_states() {
   element_states.resize(static_cast<std::size_t>(batch.block_count()) * kStateRows * kBlockSize);
   batch.states(coordinates.arrays(), velocities.arrays(), element_states.data());
@@ -57,25 +50,22 @@ double CableSystem::Impl::strain_energy() const {
   return energy;
 }
 
-// Of the velocities half a step on, where positions are.
-double CableSystem::Impl::kinetic_energy() {
-  const double half_kick = 0.5 * last_dt;
+// Velocities half a step on, where positions are.
+SlotVectors CableSystem::Impl::velocities_at_positions() {
+  SlotVectors velocity = velocities, unused = coordinates;
+  move_slots(velocity, unused, 0.5 * last_dt, 0);
+  return velocity;
+}
+
+// Of bodies, and of nodes and slopes with their lumped or consistent mass at these velocities.
+double CableSystem::Impl::kinetic_energy(const SlotVectors& velocity) const {
   double energy = 0;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    energy += bodies[b].kinetic_energy_after(wrenches[b], controls[b], half_kick);
+    energy += bodies[b].kinetic_energy_after(wrenches[b], controls[b], 0.5 * last_dt);
   }
-  if (consistent_mass) {
-    compute_accelerations();
-    SlotVectors velocity(layout.size());
-    for (std::int32_t slot = 0; slot < layout.size(); ++slot) {
-      velocity.set(slot, velocities.get(slot) + half_kick * accelerations.get(slot));
-    }
-    return energy + consistent_mass->kinetic_energy(velocity, mass);
-  }
-  SlotVectors mean_velocity = velocities, unused = coordinates;
-  kick_and_drift(mean_velocity, unused, inverse_mass, half_kick, 0);
+  if (consistent_mass) return energy + consistent_mass->kinetic_energy(velocity, mass);
   for (std::int32_t slot = 0; slot < layout.size(); ++slot) {
-    if (inverse_mass[slot] != 0) energy += 0.5 * mass[slot] * mean_velocity.get(slot).squaredNorm();
+    if (inverse_mass[slot] != 0) energy += 0.5 * mass[slot] * velocity.get(slot).squaredNorm();
   }
   return energy;
 }
@@ -93,11 +83,14 @@ double CableSystem::Impl::load_work() const {
 EnergyAudit CableSystem::Impl::audit() {
   const double half_kick = 0.5 * last_dt;
   compute_states();
+  const SlotVectors velocity = velocities_at_positions();
+  const RopeDynamics::FlowEnergy flow = ropes.flow_energy(coordinates, velocity);
   EnergyAudit result;
-  result.kinetic = kinetic_energy();
+  result.kinetic = kinetic_energy(velocity) + flow.kinetic;
   result.strain = strain_energy();
   result.dissipated = dissipated + half_kick * (element_power.dissipated + hinge_power + contact_power());
-  result.input = input_work + half_kick * element_power.fed + load_work() - initial_load_work;
+  result.input = input_work + half_kick * element_power.fed + load_work() + flow.work -
+                 0.5 * ropes.energy_change(coordinates, velocities) - initial_input;
   result.error = result.kinetic + result.strain + result.dissipated - result.input - initial_energy;
   return result;
 }

@@ -18,6 +18,9 @@
 
 namespace netpocket {
 
+// Rows of ElementBatch::states.
+inline constexpr std::size_t kStrain = 0, kStrainRate = 1, kBendingEnergy = 2, kBendStiffness = 3;
+
 struct CableSystem::Impl {
   Impl(const Model& model, const SystemOptions& options);
 
@@ -40,9 +43,10 @@ struct CableSystem::Impl {
   std::vector<double> mass;           // by slot
   AlignedVector<double> inverse_mass;
   std::vector<double> element_length;
+  std::vector<double> wave_speed;  // by element, sqrt(EA/m), m/s
   std::optional<ConsistentMass> consistent_mass;
   AlignedVector<double> unit_mass;
-  SlotVectors accelerations;  // by the consistent mass
+  SlotVectors forces, unmoved;  // to collect forces for the consistent mass
 
   // Parts.
   std::vector<DynamicBody> bodies;
@@ -65,7 +69,7 @@ struct CableSystem::Impl {
   std::vector<BatchPower> chunk_power;
 
   // Accounts since the start.
-  double input_work = 0, dissipated = 0, initial_energy = 0, initial_load_work = 0;
+  double input_work = 0, dissipated = 0, initial_energy = 0, initial_input = 0;
   std::vector<Eigen::Vector3d> impulses;
   double deepest_penetration = 0;
 
@@ -85,8 +89,7 @@ struct CableSystem::Impl {
   void compute_forces(double dt);
   void kick_and_drift(SlotVectors& v, SlotVectors& x, const AlignedVector<double>& inverse_masses, double kick,
                       double drift);
-  void compute_accelerations();
-  void move_slots(double kick, double drift);
+  void move_slots(SlotVectors& v, SlotVectors& x, double kick, double drift);
   void step(double dt);
   Eigen::Vector3d slot_force(std::int32_t slot) const {
     return assembly.element_force(slot, element_forces.data()) + applied.get(slot);
@@ -99,7 +102,8 @@ struct CableSystem::Impl {
   double resisted(std::size_t element, std::size_t row) const;
   double tension(std::size_t element) const;
   double strain_energy() const;
-  double kinetic_energy();
+  SlotVectors velocities_at_positions();
+  double kinetic_energy(const SlotVectors& velocity) const;
   double load_work() const;
   EnergyAudit audit();
   bool looks_sound() const;

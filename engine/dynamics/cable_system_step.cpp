@@ -107,7 +107,7 @@ void CableSystem::Impl::compute_forces(double dt) {
   add_hinges();
   wrinkling.add_forces(coordinates, applied, loaded_slots);
   if (!ropes.empty()) {
-    ropes.add_flow_forces(coordinates, velocities, applied);
+    ropes.add_flow_forces(coordinates, velocities, last_dt, 0.5 * (last_dt + dt), applied);
     loaded_slots.insert(loaded_slots.end(), ropes.massive_slots().begin(), ropes.massive_slots().end());
   }
   add_contacts(dt);
@@ -147,29 +147,16 @@ void CableSystem::Impl::kick_and_drift(SlotVectors& v, SlotVectors& x, const Ali
   for_chunks(assembly.block_count(), [&](int, int first, int last) { kernel(view, first, last, kick, drift); });
 }
 
-// By the consistent mass. The forces are what a kick with unit masses adds to velocities that were zero.
-void CableSystem::Impl::compute_accelerations() {
-  accelerations = SlotVectors(layout.size());
-  kick_and_drift(accelerations, coordinates, unit_mass, 1, 0);
-  consistent_mass->solve(accelerations, mass);
-}
-
-void CableSystem::Impl::move_slots(double kick, double drift) {
+// The same with the evaluation's mass. With the consistent one the forces are first collected: they are what a kick
+// with unit masses adds to velocities that were zero.
+void CableSystem::Impl::move_slots(SlotVectors& v, SlotVectors& x, double kick, double drift) {
   if (!consistent_mass) {
-    kick_and_drift(velocities, coordinates, inverse_mass, kick, drift);
+    kick_and_drift(v, x, inverse_mass, kick, drift);
     return;
   }
-  compute_accelerations();
-  const SlotArrays acceleration = accelerations.arrays(), velocity = velocities.arrays(), q = coordinates.arrays();
-  const auto move = [&](double* coordinate, double* rate, const double* change) {
-    for (std::int32_t slot = 0; slot < layout.size(); ++slot) {
-      rate[slot] += kick * change[slot];
-      coordinate[slot] += drift * rate[slot];
-    }
-  };
-  move(q.x, velocity.x, acceleration.x);
-  move(q.y, velocity.y, acceleration.y);
-  move(q.z, velocity.z, acceleration.z);
+  forces.set_zero();
+  kick_and_drift(forces, unmoved, unit_mass, 1, 0);
+  consistent_mass->kick_and_drift(forces, mass, kick, drift, v, x);
 }
 
 void CableSystem::Impl::step(double dt) {
@@ -183,8 +170,12 @@ void CableSystem::Impl::step(double dt) {
     impulses[b] += kick * contacts.force_on(static_cast<std::int32_t>(b));
   }
   deepest_penetration = std::max(deepest_penetration, contacts.deepest_penetration());
+  double ropes_change = ropes.energy_change(coordinates, velocities);
 
-  move_slots(kick, dt);
+  move_slots(velocities, coordinates, kick, dt);
+  ropes_change += ropes.energy_change(coordinates, velocities);
+  input_work -= 0.5 * ropes_change;
+  ropes.finish_step();
   for (std::size_t b = 0; b < bodies.size(); ++b) input_work += bodies[b].step(wrenches[b], controls[b], kick, dt);
   dissipated += 0.5 * kick * (power_before + contact_power());
   for (DynamicBody& body : bodies) body.move_attachments(coordinates, velocities);

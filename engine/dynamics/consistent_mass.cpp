@@ -5,6 +5,7 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <stdexcept>
 
 #include "engine/ancf/instruction_set.h"
@@ -55,6 +56,30 @@ std::vector<Eigen::Triplet<double>> mass_exchange(const Model& model, const Slot
   return entries;
 }
 
+// The permutation that brings row order[i] to place i.
+Eigen::PermutationMatrix<Eigen::Dynamic> places(const std::vector<int>& order) {
+  Eigen::PermutationMatrix<Eigen::Dynamic> place(static_cast<Eigen::Index>(order.size()));
+  for (std::size_t i = 0; i < order.size(); ++i) place.indices()[order[i]] = static_cast<int>(i);
+  return place;
+}
+
+// Order of elimination of a factor's first `columns` rows by level: a row's level is above those of all rows that it
+// needs, which leaves the factor as it is; within a level by slot, so that rows in a row lie side by side in memory.
+// The other rows stay where they are.
+std::vector<int> order_by_level(const Eigen::SparseMatrix<double>& lower, Eigen::Index columns,
+                                const std::vector<std::int32_t>& slot_of_row) {
+  std::vector<int> level(lower.rows(), 0), order(lower.rows());
+  for (Eigen::Index column = 0; column < columns; ++column) {
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(lower, column); entry; ++entry) {
+      if (entry.row() != column) level[entry.row()] = std::max(level[entry.row()], level[column] + 1);
+    }
+  }
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.begin() + columns,
+            [&](int a, int b) { return std::pair(level[a], slot_of_row[a]) < std::pair(level[b], slot_of_row[b]); });
+  return order;
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> lumped_elements(const Model& model) {
@@ -80,10 +105,7 @@ ConsistentMass::ConsistentMass(const Model& model, const SlotLayout& layout, std
 
   std::vector<std::int32_t> row_of_slot(layout.size(), -1);
   for (std::int32_t slot = 0; slot < layout.size(); ++slot) {
-    if (is_free[slot] == 0) {
-      held_slots_.push_back(slot);
-      continue;
-    }
+    if (is_free[slot] == 0) continue;
     if (is_coupled[slot] == 0) {
       if (mass[slot] <= 0) {
         throw std::invalid_argument(
@@ -111,44 +133,56 @@ ConsistentMass::ConsistentMass(const Model& model, const SlotLayout& layout, std
   factor(matrix, changes);
 }
 
+template <typename Matrix>
+void ConsistentMass::Triangle::set(const Matrix& matrix, Eigen::Index rows, Eigen::Index columns) {
+  for (Eigen::Index row = 0; row < rows; ++row) {
+    for (typename Matrix::InnerIterator entry(matrix, row); entry; ++entry) {
+      if (entry.index() == row || entry.index() >= columns) continue;
+      column.push_back(static_cast<std::int32_t>(entry.index()));
+      value.push_back(entry.value());
+    }
+    begin.push_back(static_cast<std::int32_t>(column.size()));
+  }
+}
+
+// Moves row i of everything by row, and of `matrix`, to place.indices()[i].
+void ConsistentMass::reorder(Eigen::SparseMatrix<double>& matrix,
+                             const Eigen::PermutationMatrix<Eigen::Dynamic>& place) {
+  const std::vector<std::int32_t> before = slot_of_row_;
+  for (Eigen::Index i = 0; i < place.size(); ++i) slot_of_row_[place.indices()[i]] = before[i];
+  matrix = Eigen::SparseMatrix<double>(place * matrix * place.inverse());
+}
+
 // Keeps the factors of a matrix, and everything by row in the order of elimination: least fill first, rows that change
-// last.
+// last. Rows of the same level, none of which needs another's result, follow each other, so that the processor need not
+// wait for one before it begins the next.
 void ConsistentMass::factor(const Eigen::SparseMatrix<double>& matrix, const std::vector<std::uint8_t>& changes) {
   Eigen::PermutationMatrix<Eigen::Dynamic> least_fill;  // its inverse says which row comes when
   Eigen::AMDOrdering<int>()(matrix.selfadjointView<Eigen::Lower>(), least_fill);
   std::vector<int> order(least_fill.indices().begin(), least_fill.indices().end());
   const auto last = std::ranges::stable_partition(order, [&](int row) { return changes[row] == 0; });
-  const auto last_count = static_cast<Eigen::Index>(last.size());
-  Eigen::PermutationMatrix<Eigen::Dynamic> place(matrix.rows());
-  std::vector<std::int32_t> ordered;
-  for (const int row : order) {
-    place.indices()[row] = static_cast<int>(ordered.size());
-    ordered.push_back(slot_of_row_[row]);
-  }
-  slot_of_row_ = std::move(ordered);
-  rows_.resize(slot_of_row_.size());
-  matrix_ = matrix.twistedBy(place);
+  const auto last_count = static_cast<Eigen::Index>(last.size()), columns = matrix.cols() - last_count;
+  matrix_ = matrix;
+  reorder(matrix_, places(order));
 
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int>> ldlt(matrix_);
   if (ldlt.info() != Eigen::Success || (ldlt.vectorD().array() <= 0).any()) {
     throw std::invalid_argument("the mass matrix is singular: every free node and gradient must belong to an element");
   }
-  const Eigen::SparseMatrix<double> lower = ldlt.matrixL();
+  Eigen::SparseMatrix<double> lower = ldlt.matrixL();
   const Eigen::VectorXd diagonal = ldlt.vectorD();
-  const Eigen::Index columns = lower.cols() - last_count;
-  column_begin_.push_back(0);
-  for (Eigen::Index column = 0; column < columns; ++column) {
-    for (Eigen::SparseMatrix<double>::InnerIterator entry(lower, column); entry; ++entry) {
-      if (entry.row() == column) continue;
-      row_.push_back(static_cast<std::int32_t>(entry.row()));
-      value_.push_back(entry.value());
-    }
-    column_begin_.push_back(static_cast<std::int32_t>(row_.size()));
-    inverse_diagonal_.push_back(1 / diagonal[column]);
-  }
   const Eigen::MatrixXd corner =
       Eigen::MatrixXd(lower.bottomRightCorner(last_count, last_count)).triangularView<Eigen::UnitLower>();
   last_matrix_ = corner * diagonal.tail(last_count).asDiagonal() * corner.transpose();
+
+  const Eigen::PermutationMatrix<Eigen::Dynamic> by_level = places(order_by_level(lower, columns, slot_of_row_));
+  matrix_ = Eigen::SparseMatrix<double>(by_level * matrix_ * by_level.inverse());
+  reorder(lower, by_level);
+  lower_.set(Eigen::SparseMatrix<double, Eigen::RowMajor>(lower), lower.rows(), columns);
+  upper_.set(lower, columns, lower.rows());
+  const Eigen::VectorXd leveled = by_level * diagonal;
+  for (Eigen::Index row = 0; row < columns; ++row) inverse_diagonal_.push_back(1 / leveled[row]);
+  rows_.resize(slot_of_row_.size());
 }
 
 // The rows that were not eliminated, with their present masses.
@@ -167,29 +201,25 @@ void ConsistentMass::solve_last(std::span<const double> mass) {
   }
 }
 
-void ConsistentMass::solve(SlotVectors& force, std::span<const double> mass) {
-  const SlotArrays f = force.arrays();
-  for (const std::int32_t slot : held_slots_) f.x[slot] = f.y[slot] = f.z[slot] = 0;
-  for (const std::int32_t slot : lone_slots_) {
-    const double inverse = 1 / mass[slot];
-    for (double* component : {f.x, f.y, f.z}) component[slot] *= inverse;
-  }
+void ConsistentMass::kick_and_drift(const SlotVectors& force, std::span<const double> mass, double kick, double drift,
+                                    SlotVectors& v, SlotVectors& x) {
   for (std::size_t row = 0; row < rows_.size(); ++row) {
-    const std::int32_t slot = slot_of_row_[row];
-    rows_[row] = {{f.x[slot], f.y[slot], f.z[slot], 0}};
+    const Eigen::Vector3d f = force.get(slot_of_row_[row]);
+    rows_[row] = {{f.x(), f.y(), f.z(), 0}};
   }
   static const factor_kernel::Kernels kernels = choose_kernels();
-  const factor_kernel::FactorView factors{first_last(), column_begin_.data(), row_.data(), value_.data(),
-                                          inverse_diagonal_.data()};
-  kernels.forward(factors, rows_.data());
+  kernels.forward(lower_.view(), rows_.data());
   if (last_matrix_.rows() > 0) solve_last(mass);
-  kernels.backward(factors, rows_.data());
+  kernels.backward(upper_.view(), inverse_diagonal_.data(), rows_.data());
+
+  const auto move = [&](std::int32_t slot, const Eigen::Vector3d& acceleration) {
+    v.add(slot, kick * acceleration);
+    x.add(slot, drift * v.get(slot));
+  };
   for (std::size_t row = 0; row < rows_.size(); ++row) {
-    const std::int32_t slot = slot_of_row_[row];
-    f.x[slot] = rows_[row].value[0];
-    f.y[slot] = rows_[row].value[1];
-    f.z[slot] = rows_[row].value[2];
+    move(slot_of_row_[row], Eigen::Vector3d::Map(rows_[row].value));
   }
+  for (const std::int32_t slot : lone_slots_) move(slot, 1 / mass[slot] * force.get(slot));
 }
 
 double ConsistentMass::kinetic_energy(const SlotVectors& velocity, std::span<const double> mass) const {

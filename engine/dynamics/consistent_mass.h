@@ -26,24 +26,37 @@ class ConsistentMass {
   ConsistentMass(const Model& model, const SlotLayout& layout, std::span<const double> mass,
                  std::span<const std::int32_t> changing);
 
-  // Replaces the forces on free slots by their accelerations and those on others by 0. `mass`: lumped mass by slot at
-  // present. Not to be called by two threads at once.
-  void solve(SlotVectors& force, std::span<const double> mass);
+  // v += kick M^-1 force, x += drift v on free slots. `mass`: lumped mass by slot at present. Not to be called by two
+  // threads at once.
+  void kick_and_drift(const SlotVectors& force, std::span<const double> mass, double kick, double drift, SlotVectors& v,
+                      SlotVectors& x);
   // sum over free slots of v.M v / 2, J.
   double kinetic_energy(const SlotVectors& velocity, std::span<const double> mass) const;
 
  private:
+  // A strictly triangular matrix by rows.
+  struct Triangle {
+    std::vector<std::int32_t> begin = {0}, column;
+    std::vector<double> value;
+
+    template <typename Matrix>
+    void set(const Matrix& matrix, Eigen::Index rows, Eigen::Index columns);
+    factor_kernel::TriangleView view() const {
+      return {static_cast<std::int32_t>(begin.size()) - 1, begin.data(), column.data(), value.data()};
+    }
+  };
+
+  void reorder(Eigen::SparseMatrix<double>& matrix, const Eigen::PermutationMatrix<Eigen::Dynamic>& place);
   void factor(const Eigen::SparseMatrix<double>& matrix, const std::vector<std::uint8_t>& changes);
   void solve_last(std::span<const double> mass);
   std::int32_t first_last() const { return static_cast<std::int32_t>(slot_of_row_.size() - last_matrix_.rows()); }
 
   std::vector<std::int32_t> slot_of_row_;  // rows in the order of elimination
   std::vector<std::int32_t> lone_slots_;   // coupled to nothing: force / mass
-  std::vector<std::int32_t> held_slots_;   // not free
   std::vector<double> initial_mass_;
   Eigen::SparseMatrix<double> matrix_;  // of rows
-  std::vector<std::int32_t> column_begin_, row_;
-  std::vector<double> value_, inverse_diagonal_;
+  Triangle lower_, upper_;              // L and L^T of L D L^T; all but the last rows are eliminated
+  std::vector<double> inverse_diagonal_;
   Eigen::MatrixXd last_matrix_;  // of the rows eliminated last, at the start's masses
   std::vector<factor_kernel::Row> rows_;
 };

@@ -7,34 +7,30 @@ namespace {
 
 using Four [[gnu::vector_size(4 * sizeof(double)), gnu::may_alias]] = double;
 
-[[gnu::always_inline]] inline Four scaled(double factor, const Four& row) { return (Four{} + factor) * row; }
+// value - (row of the triangle) x, in two sums: each addition would wait for the one before.
+[[gnu::always_inline]] inline Four less_row(const TriangleView& triangle, std::int32_t row, const Four* x,
+                                            const Four& value) {
+  Four even = value, odd{};
+  std::int32_t p = triangle.begin[row];
+  const std::int32_t end = triangle.begin[row + 1];
+  for (; p + 1 < end; p += 2) {
+    even -= (Four{} + triangle.value[p]) * x[triangle.column[p]];
+    odd -= (Four{} + triangle.value[p + 1]) * x[triangle.column[p + 1]];
+  }
+  if (p < end) even -= (Four{} + triangle.value[p]) * x[triangle.column[p]];
+  return even + odd;
+}
 
 }  // namespace
 
-void forward(const FactorView& factor, Row* rows) {
+void forward(const TriangleView& lower, Row* rows) {
   Four* x = reinterpret_cast<Four*>(rows);
-  for (std::int32_t j = 0; j < factor.columns; ++j) {
-    const Four now = x[j];
-    for (std::int32_t p = factor.column_begin[j]; p < factor.column_begin[j + 1]; ++p) {
-      x[factor.row[p]] -= scaled(factor.value[p], now);
-    }
-  }
+  for (std::int32_t i = 0; i < lower.rows; ++i) x[i] = less_row(lower, i, x, x[i]);
 }
 
-void backward(const FactorView& factor, Row* rows) {
+void backward(const TriangleView& upper, const double* scale, Row* rows) {
   Four* x = reinterpret_cast<Four*>(rows);
-  for (std::int32_t j = factor.columns - 1; j >= 0; --j) {
-    // Two sums: each addition would wait for the one before.
-    Four even = scaled(factor.inverse_diagonal[j], x[j]), odd{};
-    std::int32_t p = factor.column_begin[j];
-    const std::int32_t end = factor.column_begin[j + 1];
-    for (; p + 1 < end; p += 2) {
-      even -= scaled(factor.value[p], x[factor.row[p]]);
-      odd -= scaled(factor.value[p + 1], x[factor.row[p + 1]]);
-    }
-    if (p < end) even -= scaled(factor.value[p], x[factor.row[p]]);
-    x[j] = even + odd;
-  }
+  for (std::int32_t i = upper.rows - 1; i >= 0; --i) x[i] = less_row(upper, i, x, (Four{} + scale[i]) * x[i]);
 }
 
 }  // namespace netpocket::factor_kernel::NETPOCKET_ISA_NAME

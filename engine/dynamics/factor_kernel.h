@@ -6,13 +6,12 @@
 
 namespace netpocket::factor_kernel {
 
-// L D L^T, L unit lower triangular without its diagonal, by columns.
-struct FactorView {
-  std::int32_t columns;              // eliminated; rows below them are solved for between the two passes
-  const std::int32_t* column_begin;  // columns + 1
-  const std::int32_t* row;
+// A strictly triangular matrix by rows.
+struct TriangleView {
+  std::int32_t rows;
+  const std::int32_t* begin;   // of each row's entries; rows + 1
+  const std::int32_t* column;  // of each entry
   const double* value;
-  const double* inverse_diagonal;
 };
 
 // One row of the right-hand side or solution: x, y, z and an unused number.
@@ -20,23 +19,26 @@ struct alignas(32) Row {
   double value[4];
 };
 
-// Forward pass: rows -= L (rows above). Backward pass: rows = D^-1 rows - L^T (rows below).
-using Kernel = void (*)(const FactorView& factor, Row* rows);
+// x -= lower x, from the first row to the last: solves (1 + lower) x = right.
+using ForwardKernel = void (*)(const TriangleView& lower, Row* x);
+// x = scale x - upper x, from the last row to the first: solves (1 + upper) x = scale right.
+using BackwardKernel = void (*)(const TriangleView& upper, const double* scale, Row* x);
 struct Kernels {
-  Kernel forward, backward;
+  ForwardKernel forward;
+  BackwardKernel backward;
 };
 
 namespace baseline {
-void forward(const FactorView& factor, Row* rows);
-void backward(const FactorView& factor, Row* rows);
+void forward(const TriangleView& lower, Row* x);
+void backward(const TriangleView& upper, const double* scale, Row* x);
 }  // namespace baseline
 namespace avx2 {
-void forward(const FactorView& factor, Row* rows);
-void backward(const FactorView& factor, Row* rows);
+void forward(const TriangleView& lower, Row* x);
+void backward(const TriangleView& upper, const double* scale, Row* x);
 }  // namespace avx2
 namespace avx512 {
-void forward(const FactorView& factor, Row* rows);
-void backward(const FactorView& factor, Row* rows);
+void forward(const TriangleView& lower, Row* x);
+void backward(const TriangleView& upper, const double* scale, Row* x);
 }  // namespace avx512
 
 }  // namespace netpocket::factor_kernel

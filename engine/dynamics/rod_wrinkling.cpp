@@ -3,27 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/ancf/vector.h"
-#include "engine/ancf/wrinkling.h"
-
 namespace netpocket {
-namespace {
 
-// Bending modes of an element.
-struct Modes {
-  Modes(const SlotVectors& q, const std::int32_t (&slot)[4], double length) {
-    const Eigen::Vector3d e = (q.get(slot[2]) - q.get(slot[0])) / length, g1 = q.get(slot[1]), g2 = q.get(slot[3]);
-    s = g1 - g2;
-    a = (g1 + g2) - 2 * e;
-    curvature = std::sqrt(squared_norm(s) + 3 * squared_norm(a)) / length;
-  }
-  Eigen::Vector3d s, a;
-  double curvature;  // 1/m
-};
-
-}  // namespace
-
-RodWrinkling::RodWrinkling(const Model& model, std::span<const BatchElement> elements) {
+RodWrinkling::RodWrinkling(const Model& model, std::span<const BatchElement> elements, bool full) : full_(full) {
   for (std::size_t i = 0; i < elements.size(); ++i) {
     const std::int32_t material = model.elements[i].material;
     if (model.elements[i].kind != ElementKind::rod) continue;
@@ -31,36 +13,35 @@ RodWrinkling::RodWrinkling(const Model& model, std::span<const BatchElement> ele
     rods_.push_back({{r1, g1, r2, g2},
                      material,
                      elements[i].length,
-                     elements[i].section.EI,
-                     model.materials[material].wrinkling_moment});
+                     {elements[i].section.EI, model.materials[material].wrinkling_moment}});
   }
   find_whether_any_can_wrinkle();
 }
 
 void RodWrinkling::find_whether_any_can_wrinkle() {
-  can_wrinkle_ = std::ranges::any_of(rods_, [](const Rod& rod) { return std::isfinite(rod.moment); });
+  can_wrinkle_ = std::ranges::any_of(rods_, [](const Rod& rod) { return std::isfinite(rod.section.moment); });
 }
 
 void RodWrinkling::set_moment(std::int32_t material, double moment) {
   for (Rod& rod : rods_) {
-    if (rod.material == material) rod.moment = moment;
+    if (rod.material == material) rod.section.moment = moment;
   }
   find_whether_any_can_wrinkle();
+}
+
+std::optional<Softening> RodWrinkling::softening(const Rod& rod, const SlotVectors& coordinates) const {
+  ElementCoordinates q;
+  for (int corner = 0; corner < 4; ++corner) q.col(corner) = coordinates.get(rod.slot[corner]);
+  return full_ ? full_softening(rod.section, rod.length, q) : mean_strain_softening(rod.section, rod.length, q);
 }
 
 void RodWrinkling::add_forces(const SlotVectors& coordinates, SlotVectors& applied,
                               std::vector<std::int32_t>& touched) const {
   if (!can_wrinkle_) return;
   for (const Rod& rod : rods_) {
-    const Modes modes(coordinates, rod.slot, rod.length);
-    const double k = modes.curvature * rod.EI / rod.moment;
-    if (!(k > 1)) continue;
-    const double lost = (1 - InflatedBending(k).moment / k) * rod.EI / rod.length;
-    const Eigen::Vector3d moment_s = lost * modes.s, moment_a = 3 * lost * modes.a;
-    applied.add(rod.slot[0], (2 / rod.length) * moment_a);
-    applied.add(rod.slot[1], moment_s + moment_a);
-    applied.add(rod.slot[2], (-2 / rod.length) * moment_a);
-    applied.add(rod.slot[3], moment_a - moment_s);
+    const std::optional<Softening> softer = softening(rod, coordinates);
+    if (!softer) continue;
+    for (int corner = 0; corner < 4; ++corner) applied.add(rod.slot[corner], softer->force.col(corner));
     touched.insert(touched.end(), rod.slot, rod.slot + 4);
   }
 }
@@ -69,9 +50,7 @@ double RodWrinkling::energy(const SlotVectors& coordinates) const {
   double energy = 0;
   if (!can_wrinkle_) return energy;
   for (const Rod& rod : rods_) {
-    const double k = Modes(coordinates, rod.slot, rod.length).curvature * rod.EI / rod.moment;
-    if (!(k > 1)) continue;
-    energy += (InflatedBending(k).energy - k * k / 2) * rod.moment * rod.moment / rod.EI * rod.length;
+    if (const std::optional<Softening> softer = softening(rod, coordinates)) energy += softer->energy;
   }
   return energy;
 }

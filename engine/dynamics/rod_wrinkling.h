@@ -1,14 +1,13 @@
 #pragma once
 // Inflated rods that wrinkle: what bending beyond the wrinkling moment differs from the linear law of the elements
-// (ancf/wrinkling.h). Applied per element to its root mean square curvature
-//   kappa^2 = (s.s + 3 a.a)/L^2,   s = g1 - g2,  a = g1 + g2 - 2 e,  e = (r2 - r1)/L,
-// whose linear energy EI L kappa^2/2 is that of mean_strain_element.h. Both evaluations use it: a correction, for few
-// elements at a time.
+// (ancf/inflated_element.h), in either evaluation. A correction, for few elements at a time.
 
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "engine/ancf/element_batch.h"
+#include "engine/ancf/inflated_element.h"
 #include "engine/dynamics/slot_state.h"
 #include "engine/model/model.h"
 
@@ -16,8 +15,8 @@ namespace netpocket {
 
 class RodWrinkling {
  public:
-  // Elements of kind `rod`.
-  RodWrinkling(const Model& model, std::span<const BatchElement> elements);
+  // Elements of kind `rod`, by the curvature of the full or of the mean-strain evaluation.
+  RodWrinkling(const Model& model, std::span<const BatchElement> elements, bool full);
 
   // Wrinkling moment (N m) from now on of the rods of a material.
   void set_moment(std::int32_t material, double moment);
@@ -31,11 +30,14 @@ class RodWrinkling {
   struct Rod {
     std::int32_t slot[4];
     std::int32_t material;
-    double length, EI, moment;
+    double length;
+    InflatedSection section;
   };
+  std::optional<Softening> softening(const Rod& rod, const SlotVectors& coordinates) const;
   void find_whether_any_can_wrinkle();
 
   std::vector<Rod> rods_;
+  bool full_;
   bool can_wrinkle_ = false;  // whether any moment is finite: most models spend no time here
 };
 

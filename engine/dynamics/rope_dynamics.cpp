@@ -10,35 +10,21 @@
 namespace netpocket {
 namespace {
 
-// Ropes that are computed at once.
-constexpr std::size_t kLanes = 8;
-
-// Coordinates or velocities of the elements in the same place of several ropes: [corner][axis], one lane per rope.
-using RopeLanes = Eigen::Array<double, kLanes, 1>;
-using LaneCoordinates = std::array<std::array<RopeLanes, 3>, 4>;
-
-template <typename Ropes>
-LaneCoordinates gather(const SlotVectors& vectors, const Ropes& ropes, std::size_t index) {
-  LaneCoordinates q;
-  for (std::size_t corner = 0; corner < 4; ++corner) {
-    for (RopeLanes& lanes : q[corner]) lanes.setZero();
-    for (std::size_t lane = 0; lane < ropes.size(); ++lane) {
-      const Eigen::Vector3d vector = vectors.get(ropes[lane].slots[index][corner]);
-      for (Eigen::Index axis = 0; axis < 3; ++axis) {
-        q[corner][static_cast<std::size_t>(axis)][static_cast<Eigen::Index>(lane)] = vector[axis];
-      }
-    }
-  }
-  return q;
-}
-
-// Row `corner` of matrix * columns.
-RopeLanes product(const Eigen::Matrix4d& matrix, Eigen::Index corner, const LaneCoordinates& q, std::size_t axis) {
-  return (matrix(corner, 0) * q[0][axis] + matrix(corner, 1) * q[1][axis]) +
-         (matrix(corner, 2) * q[2][axis] + matrix(corner, 3) * q[3][axis]);
+ElementCoordinates gather(const SlotVectors& vectors, const std::array<std::int32_t, 4>& slots) {
+  ElementCoordinates columns;
+  for (int corner = 0; corner < 4; ++corner) columns.col(corner) = vectors.get(slots[corner]);
+  return columns;
 }
 
 }  // namespace
+
+// Node i is at p = p1 + (p2 - p1) i / count with p1 = share_at_start (L0 - L).
+MaterialSpan rope_span(const RopeMotion& motion, double share_at_start, std::size_t index, std::size_t count) {
+  const double elements = static_cast<double>(count), place = static_cast<double>(index);
+  const double first = place / elements - share_at_start, second = (place + 1) / elements - share_at_start;
+  return {motion.length / elements, motion.rate * first, motion.rate * second, motion.acceleration * first,
+          motion.acceleration * second};
+}
 
 RopeDynamics::RopeDynamics(const Model& model, const SlotLayout& layout) {
   place_.assign(model.elements.size(), {-1, -1});
@@ -50,7 +36,6 @@ RopeDynamics::RopeDynamics(const Model& model, const SlotLayout& layout) {
     rope.share_at_start = source.share_at_start;
     rope.initial_length = source.motion(0).length;
     rope.spans.resize(source.elements.size());
-    rope.inertia.resize(source.elements.size(), SpanInertia(0, {.length = 1}));
     for (std::size_t i = 0; i < source.elements.size(); ++i) {
       const ModelElement& element = model.elements[source.elements[i]];
       rope.slots.push_back({layout.position(element.node1), layout.gradient(element.gradient1),
@@ -76,108 +61,101 @@ void RopeDynamics::for_each_element(const Function& function) const {
   }
 }
 
+// The rope's ends: slot of the position, and the share of the wound-up rope that it carries. First ends before last
+// ones, as above.
+template <typename Function>
+void RopeDynamics::for_each_end(const Function& function) const {
+  for (const Rope& rope : ropes_) function(rope, rope.slots.front()[0], rope.share_at_start);
+  for (const Rope& rope : ropes_) function(rope, rope.slots.back()[2], 1 - rope.share_at_start);
+}
+
 void RopeDynamics::set_motion(const std::function<RopeMotion(double)>& motion) {
   for (Rope& rope : ropes_) rope.motion = motion;
 }
 
 bool RopeDynamics::set_time(double t) {
   bool changed = !started_;
-  started_ = true;
   for (Rope& rope : ropes_) {
     const RopeMotion motion = rope.motion(t);
     changed = changed || !(motion == rope.now);
     rope.now = motion;
   }
+  if (!started_) finish_step();
+  started_ = true;
   return changed;
 }
 
-void RopeDynamics::set_spans(Rope& rope) {
-  const double count = static_cast<double>(rope.elements.size());
-  // Node i is at p = p1 + (p2 - p1) i / count with p1 = share_at_start (L0 - L).
-  const auto node_rate = [&](double i, double rate) { return rate * (i / count - rope.share_at_start); };
-  for (std::size_t i = 0; i < rope.elements.size(); ++i) {
-    const double place = static_cast<double>(i);
-    rope.spans[i] = {rope.now.length / count, node_rate(place, rope.now.rate), node_rate(place + 1, rope.now.rate),
-                     node_rate(place, rope.now.acceleration), node_rate(place + 1, rope.now.acceleration)};
-  }
-}
-
-// Ropes that move alike share the matrices: their integration is the costly part.
-void RopeDynamics::set_inertia() {
-  for (std::size_t r = 0; r < ropes_.size(); ++r) {
-    Rope& rope = ropes_[r];
-    const bool as_previous = r > 0 && rope.section.mass_per_length == ropes_[r - 1].section.mass_per_length &&
-                             rope.spans == ropes_[r - 1].spans;
-    rope.leader = as_previous ? ropes_[r - 1].leader : r;
-    if (as_previous) continue;
-    for (std::size_t i = 0; i < rope.spans.size(); ++i) {
-      rope.inertia[i] = SpanInertia(rope.section.mass_per_length, rope.spans[i]);
-    }
-  }
+void RopeDynamics::finish_step() {
+  for (Rope& rope : ropes_) rope.before = rope.now;
 }
 
 void RopeDynamics::update(ElementBatch& batch, std::span<double> mass) {
   for (Rope& rope : ropes_) {
-    set_spans(rope);
     for (std::size_t i = 0; i < rope.elements.size(); ++i) {
+      rope.spans[i] = rope_span(rope.now, rope.share_at_start, i, rope.elements.size());
       batch.set_length(rope.elements[i], rope.spans[i].length, rope.spans[i].length_rate());
     }
   }
-  flowing_ = std::ranges::any_of(ropes_, [](const Rope& r) { return r.now.rate != 0 || r.now.acceleration != 0; });
-  set_inertia();
   for_each_element([&](const Rope& rope, std::size_t i) {
     const NodalWeights lump = lumped_mass(rope.section.mass_per_length, rope.spans[i].length);
     for (int corner = 0; corner < 4; ++corner) mass[rope.slots[i][corner]] += lump[corner];
   });
-  const auto wound = [](const Rope& rope) {
-    return rope.section.mass_per_length * (rope.initial_length - rope.now.length);
-  };
-  for (const Rope& rope : ropes_) mass[rope.slots.front()[0]] += rope.share_at_start * wound(rope);
-  for (const Rope& rope : ropes_) mass[rope.slots.back()[2]] += (1 - rope.share_at_start) * wound(rope);
+  for_each_end(
+      [&](const Rope& rope, std::int32_t slot, double share) { mass[slot] += share * rope.wound_mass(rope.now); });
 }
 
-// `alike`: at most kLanes ropes with the same leader.
-void RopeDynamics::add_flow_forces(std::span<const Rope> alike, std::size_t index, const SlotVectors& coordinates,
-                                   const SlotVectors& velocities, SlotVectors& applied) const {
-  const SpanInertia& inertia = ropes_[alike.front().leader].inertia[index];
-  const LaneCoordinates q = gather(coordinates, alike, index), velocity = gather(velocities, alike, index);
-  for (std::size_t corner = 0; corner < 4; ++corner) {
-    std::array<RopeLanes, 3> flow;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto row = static_cast<Eigen::Index>(corner);
-      flow[axis] =
-          2 * product(inertia.mass_velocity, row, velocity, axis) + product(inertia.mass_position, row, q, axis);
-    }
-    for (std::size_t lane = 0; lane < alike.size(); ++lane) {
-      const auto i = static_cast<Eigen::Index>(lane);
-      applied.add(alike[lane].slots[index][corner], Eigen::Vector3d(-flow[0][i], -flow[1][i], -flow[2][i]));
-    }
-  }
+void RopeDynamics::add_flow_forces(const SlotVectors& coordinates, const SlotVectors& velocities, double last_dt,
+                                   double kick, SlotVectors& applied) const {
+  for_each_element([&](const Rope& rope, std::size_t i) {
+    if (!rope.moves()) return;
+    const double mass = rope.section.mass_per_length;
+    const MaterialSpan &now = rope.spans[i], before = rope.span_before(i);
+    const ElementCoordinates q = gather(coordinates, rope.slots[i]), velocity = gather(velocities, rope.slots[i]);
+    const NodalWeights lost = lumped_mass(mass, before.length) - lumped_mass(mass, now.length);
+    const ElementCoordinates impulse = velocity * lost.asDiagonal() +
+                                       flow_momentum(mass, before, q - last_dt * velocity) -
+                                       flow_momentum(mass, now, q);
+    const ElementCoordinates force = impulse / kick + flow_force(mass, now, q, velocity);
+    for (int corner = 0; corner < 4; ++corner) applied.add(rope.slots[i][corner], force.col(corner));
+  });
+  for_each_end([&](const Rope& rope, std::int32_t slot, double share) {
+    const double lost = share * (rope.wound_mass(rope.before) - rope.wound_mass(rope.now));
+    if (rope.moves()) applied.add(slot, lost / kick * velocities.get(slot));
+  });
 }
 
-void RopeDynamics::add_flow_forces(const SlotVectors& coordinates, const SlotVectors& velocities,
-                                   SlotVectors& applied) const {
-  if (!flowing_) return;
-  for (std::size_t i = 0; i < longest_; ++i) {
-    for (std::size_t first = 0, last = 0; first < ropes_.size(); first = last) {
-      last = first + 1;
-      while (last < ropes_.size() && last - first < kLanes && ropes_[last].leader == ropes_[first].leader) ++last;
-      if (i < ropes_[first].slots.size()) {
-        add_flow_forces(std::span(ropes_).subspan(first, last - first), i, coordinates, velocities, applied);
-      }
-    }
-  }
-  // Material that reaches a retractor gives it its momentum relative to the node: (dm/dt) (u - v) with
-  // u - v = -r' dp/dt and dm/dt = rhoA dp/dt at the start, -rhoA dp/dt at the end.
-  for (const Rope& rope : ropes_) {
-    const double rate = rope.spans.front().start_rate;
-    const auto& first = rope.slots.front();
-    applied.add(first[0], -rope.section.mass_per_length * rate * rate * coordinates.get(first[1]));
-  }
-  for (const Rope& rope : ropes_) {
-    const double rate = rope.spans.back().end_rate;
-    const auto& last = rope.slots.back();
-    applied.add(last[2], rope.section.mass_per_length * rate * rate * coordinates.get(last[3]));
+double RopeDynamics::energy_change(const SlotVectors& coordinates, const SlotVectors& velocities) const {
+  double change = 0;
+  for_each_element([&](const Rope& rope, std::size_t i) {
+    if (!rope.moves()) return;
+    const double mass = rope.section.mass_per_length;
+    const ElementCoordinates q = gather(coordinates, rope.slots[i]), velocity = gather(velocities, rope.slots[i]);
+    change += kinetic_energy(mass, rope.spans[i], q, velocity) - kinetic_energy(mass, rope.span_before(i), q, velocity);
+  });
+  for_each_end([&](const Rope& rope, std::int32_t slot, double share) {
+    const double gained = share * (rope.wound_mass(rope.now) - rope.wound_mass(rope.before));
+    if (rope.moves()) change += 0.5 * gained * squared_norm(velocities.get(slot));
+  });
+  return change;
+}
+
+RopeDynamics::FlowEnergy RopeDynamics::flow_energy(const SlotVectors& coordinates,
+                                                   const SlotVectors& velocities) const {
+  FlowEnergy energy;
+  for_each_element([&](const Rope& rope, std::size_t i) {
+    const double mass = rope.section.mass_per_length;
+    const ElementCoordinates q = gather(coordinates, rope.slots[i]), velocity = gather(velocities, rope.slots[i]);
+    const MaterialSpan at_rest{.length = rope.spans[i].length};
+    energy.kinetic += kinetic_energy(mass, rope.spans[i], q, velocity) - kinetic_energy(mass, at_rest, q, velocity);
+    energy.work += flow_work(mass, rope.spans[i], q, velocity);
+  });
+  return energy;
+}
+
+void RopeDynamics::visit_state(const std::function<void(double&)>& visit) {
+  for (Rope& rope : ropes_) {
+    visit(rope.before.length);
+    visit(rope.before.rate);
   }
 }
 

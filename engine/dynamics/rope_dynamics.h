@@ -1,9 +1,15 @@
 #pragma once
-// Variable-length ropes during a run: keeps the material length of their elements, the mass of their nodes and the
-// inertia of the material flow up to date. Sources: model.md's reading of Tang et al. (2023) Eqs. 2 to 15, as in
-// ancf/variable_length.h.
+// Variable-length ropes during a run: keeps the material length of their elements and the mass of their nodes up to
+// date, gives the forces of the material's flow and accounts for the energy of winding. Sources: Tang et al. (2023)
+// Eqs. 2 to 15, as in ancf/variable_length.h.
+//
+// Lagrange's equations are stepped in momenta: over a step from n - 1/2 to n + 1/2, with the masses M and the flow
+// momentum p of the step's start,
+//   M_n v_(n+1/2) + p_n - M_(n-1) v_(n-1/2) - p_(n-1) = kick (Q + dT/dq)
+// so that the sum over all nodes is constant to round-off however fast the ropes are wound.
 
 #include <array>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -13,6 +19,9 @@
 #include "engine/model/model.h"
 
 namespace netpocket {
+
+// Material inside element `index` of a rope's `count`, whose nodes are evenly spread.
+MaterialSpan rope_span(const RopeMotion& motion, double share_at_start, std::size_t index, std::size_t count);
 
 class RopeDynamics {
  public:
@@ -33,8 +42,25 @@ class RopeDynamics {
   // Slots whose mass changes.
   const std::vector<std::int32_t>& massive_slots() const { return massive_slots_; }
 
-  // Adds the forces of the material flow on nodes and gradients and of wound-in material on the end nodes.
-  void add_flow_forces(const SlotVectors& coordinates, const SlotVectors& velocities, SlotVectors& applied) const;
+  // Adds the forces of the material's flow and of masses that change, for a kick of `kick` (s); the step before was
+  // `last_dt` (s) long.
+  void add_flow_forces(const SlotVectors& coordinates, const SlotVectors& velocities, double last_dt, double kick,
+                       SlotVectors& applied) const;
+  // What the ropes' kinetic energy changes by from the previous step's motion to the present one at fixed coordinates
+  // and velocities. J
+  double energy_change(const SlotVectors& coordinates, const SlotVectors& velocities) const;
+  // The present motion is from now on the previous step's.
+  void finish_step();
+
+  // Kinetic energy of the flow, beyond that of lumped masses at their nodes' velocities; and flow_work of
+  // ancf/variable_length.h. J
+  struct FlowEnergy {
+    double kinetic = 0, work = 0;
+  };
+  FlowEnergy flow_energy(const SlotVectors& coordinates, const SlotVectors& velocities) const;
+
+  // Gives every number of the state to `visit`, which may change it.
+  void visit_state(const std::function<void(double&)>& visit);
 
   std::int32_t rope_count() const { return static_cast<std::int32_t>(ropes_.size()); }
   double element_length(std::int32_t rope) const { return ropes_[rope].spans.front().length; }
@@ -47,25 +73,29 @@ class RopeDynamics {
     std::vector<std::int32_t> elements;
     std::vector<std::array<std::int32_t, 4>> slots;  // of each element
     std::vector<MaterialSpan> spans;                 // of each element, now
-    std::vector<SpanInertia> inertia;                // of each element, now; only a leader's
     CableSection section;
     std::function<RopeMotion(double)> motion;
     double share_at_start;
     double initial_length;
-    RopeMotion now{};
-    std::size_t leader = 0;  // index of the rope whose inertia this one shares
+    RopeMotion before{}, now{};  // at the start of the previous step, and at that of the present one
+
+    // The winding of this rope makes a difference in this step.
+    bool moves() const { return now.rate != 0 || before.rate != 0 || now.length != before.length; }
+    MaterialSpan span_before(std::size_t index) const {
+      return rope_span(before, share_at_start, index, elements.size());
+    }
+    double wound_mass(const RopeMotion& motion_then) const {
+      return section.mass_per_length * (initial_length - motion_then.length);
+    }
   };
 
   template <typename Function>
   void for_each_element(const Function& function) const;
-  void set_spans(Rope& rope);
-  void set_inertia();
-  void add_flow_forces(std::span<const Rope> alike, std::size_t index, const SlotVectors& coordinates,
-                       const SlotVectors& velocities, SlotVectors& applied) const;
+  template <typename Function>
+  void for_each_end(const Function& function) const;
 
   std::vector<Rope> ropes_;
   bool started_ = false;     // a time has been set
-  bool flowing_ = false;     // material moves relative to the nodes of a rope
   std::size_t longest_ = 0;  // elements of the longest rope
   std::vector<std::int32_t> massive_slots_;
   std::vector<std::pair<std::int32_t, std::int32_t>> place_;  // by element: (rope, index), or (-1, -1)

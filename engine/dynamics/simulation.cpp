@@ -22,8 +22,11 @@
 namespace netpocket {
 namespace {
 
-// Steps between two checks that the state is sound.
+// Steps between two checks that the state is sound, and between two copies of a sound state.
 constexpr std::int64_t kFaultInterval = 256;
+constexpr std::int64_t kCopyInterval = 16 * kFaultInterval;
+// Longest time (s) for which the step stays what the cables' shape allowed at its start.
+constexpr double kLongestInterval = 0.01;
 // Counts that a double holds exactly.
 constexpr double kLargestCount = 9007199254740992.0;
 
@@ -79,6 +82,9 @@ std::function<RopeMotion(double)> blended_closing(const ClosingSchedule& schedul
 
 }  // namespace
 
+// What sets a step: the elements as built, how far cords are bent, the length of the closing ropes.
+enum class StepLimit : std::uint8_t { elements, bends, ropes };
+
 struct Simulation::Impl {
   Impl(const Scenario& s, const SimulationOptions& options)
       : scenario(s),
@@ -88,6 +94,7 @@ struct Simulation::Impl {
         channels(pocket) {
     perturb();
     stable = system.stable_step();
+    shape_step = stable.step;
   }
 
   Scenario scenario;
@@ -98,12 +105,16 @@ struct Simulation::Impl {
   StableStep stable{};                                    // of the pocket as built, without closing ropes' shortening
   int rope_step_class = std::numeric_limits<int>::max();  // of the length for which rope_step_value holds
   double rope_step_value = 0;                             // s
-  double time_step = 0;                                   // s, in the present output interval
+  double shape_step = 0;                                  // s, stable in the shape at the start of the interval
+  double time_step = 0;                                   // s, in the present interval
   double smallest_step = std::numeric_limits<double>::infinity();
-  std::int64_t interval = -1;  // present output interval
+  std::int64_t smallest_limit = 0;  // StepLimit of the smallest step
+  std::int64_t interval = -1;       // stretch of equal steps, one or more to an output interval
   std::int64_t interval_steps = 1, steps_in_interval = 0;
   double wall = 0, cpu = 0;
-  std::vector<double> sound_state;  // at the start of advance() or the last check since
+  std::vector<double> sound_state;  // a copy at step sound_step; empty: none yet
+  std::int64_t sound_step = 0;
+  std::vector<std::int64_t> snapshot_steps;  // at which snapshots have been taken since the copy
   std::int64_t failed_step = 0;
 
   // Small random displacements of the free net nodes, to see how asymmetry grows.
@@ -124,7 +135,7 @@ struct Simulation::Impl {
     if (scenario.solver.time_step > 0) return scenario.solver.time_step;
     const VariableRope& rope = pocket.model.ropes.front();
     const double length = rope.motion(time).length / static_cast<double>(rope.elements.size());
-    return scenario.solver.safety * std::min(stable.step, rope_step(length));
+    return scenario.solver.safety * std::min(shape_step, rope_step(length));
   }
 
   // Stable step of a closing-rope element, for its length rounded down to a power of 1.01: seldom anything to compute,
@@ -143,20 +154,21 @@ struct Simulation::Impl {
     return rope_step_value;
   }
 
-  // The largest step not above `allowed` of which a whole number makes an output interval.
-  double dividing_step(double allowed) const {
-    const double frame = 1 / scenario.output.frame_rate;
-    return frame / std::max(1.0, std::ceil(frame / allowed));
+  // What limits the step at this time. Contacts never do: they are no stiffer than the step resolves.
+  StepLimit limit_at(double time) {
+    constexpr double kNotable = 0.98;  // of the step of straight cords
+    if (allowed_step(time) < scenario.solver.safety * shape_step) return StepLimit::ropes;
+    return shape_step < kNotable * stable.step ? StepLimit::bends : StepLimit::elements;
   }
 
-  // What has limited the smallest step so far: the elements as built set a bound that holds throughout, the closing
-  // ropes one that falls as they shorten. Contacts are no limit: they are no stiffer than the step resolves.
-  std::string step_limit() {
+  // What has limited the smallest step so far.
+  std::string step_limit() const {
     if (scenario.solver.time_step > 0) return "solver.time_step";
-    const double smallest = std::isfinite(smallest_step) ? smallest_step : allowed_step(0);
-    constexpr double kRoundOff = 1e-9;
-    if (smallest >= (1 - kRoundOff) * dividing_step(scenario.solver.safety * stable.step)) return stable.limit;
-    return "waves in the closing ropes, the shorter the faster";
+    if (smallest_limit == static_cast<std::int64_t>(StepLimit::ropes)) {
+      return "waves in the closing ropes, the shorter the faster";
+    }
+    if (smallest_limit == static_cast<std::int64_t>(StepLimit::bends)) return stable.limit + ", and bends of cords";
+    return stable.limit;
   }
 
   // Goes over to the laws of another scenario at the present time.
@@ -164,6 +176,7 @@ struct Simulation::Impl {
     const bool closing_changes = std::ranges::any_of(
         parameters(), [&](const Parameter& p) { return p.group() == "closing" && !(p.get(next) == p.get(scenario)); });
     scenario = next;
+    sound_state.clear();  // the steps since would not repeat themselves
     drive.change(next.towing, next.spacecraft.station_keeping);
     system.set_friction(next.contact.friction);
     for (const auto& [material, wall] :
@@ -195,18 +208,24 @@ struct Simulation::Impl {
     visit_count(interval);
     visit_count(interval_steps);
     visit_count(steps_in_interval);
+    visit_count(smallest_limit);
     for (double* value : {&time_step, &smallest_step, &wall, &cpu}) visit(*value);
   }
 
-  // Divides the output interval that begins now into equal steps.
+  // Divides the interval that begins now into equal steps.
   void begin_interval() {
     const double frame = 1 / scenario.output.frame_rate;
+    const double length = frame / std::ceil(frame / kLongestInterval);
     ++interval;
-    const double end = static_cast<double>(interval + 1) * frame;
+    const double end = static_cast<double>(interval + 1) * length;
+    shape_step = system.stable_step_as_bent(stable);
     const double allowed = std::min(allowed_step(system.time()), allowed_step(end));
-    interval_steps = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(frame / allowed)));
-    time_step = (end - static_cast<double>(interval) * frame) / static_cast<double>(interval_steps);
-    smallest_step = std::min(smallest_step, time_step);
+    interval_steps = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(length / allowed)));
+    time_step = (end - static_cast<double>(interval) * length) / static_cast<double>(interval_steps);
+    if (time_step < smallest_step) {
+      smallest_step = time_step;
+      smallest_limit = static_cast<std::int64_t>(limit_at(allowed < allowed_step(system.time()) ? end : system.time()));
+    }
     steps_in_interval = 0;
   }
 
@@ -236,20 +255,40 @@ struct Simulation::Impl {
     return diverged(find_first_fault(*fault));
   }
 
-  // The state was sound some steps ago. Repeats these one by one up to the one that failed and goes back to the state
-  // before it.
+  void keep_sound_state() {
+    sound_state = state();
+    sound_step = system.steps();
+    snapshot_steps.clear();
+  }
+
+  // The state was sound some steps ago. Repeats these, with the snapshots taken meanwhile, one by one up to the one
+  // that failed and goes back to the state before it.
   std::string find_first_fault(const std::string& latest) {
     const std::int64_t end = system.steps();
     set_state(sound_state);
     std::optional<std::string> fault;
+    std::size_t next_snapshot = 0;
     while (!fault && system.steps() < end) {
-      sound_state = state();
+      for (; next_snapshot < snapshot_steps.size() && snapshot_steps[next_snapshot] == system.steps();
+           ++next_snapshot) {
+        snapshot();
+      }
+      // Only steps of the last checked stretch can have failed.
+      if (system.steps() + kFaultInterval >= end) sound_state = state();
       step();
       fault = system.fault();
     }
     failed_step = system.steps();
     set_state(sound_state);
+    keep_sound_state();
     return fault.value_or(latest);
+  }
+
+  Snapshot snapshot() {
+    Snapshot result;
+    const EnergyAudit energy = system.capture(result);
+    channels.fill(result, pocket.structure, system, energy, time_step);
+    return result;
   }
 
   RunStatus diverged(const std::string& fault) const {
@@ -276,7 +315,7 @@ RunStatus Simulation::advance(double until, const std::stop_token& stop) {
   const double wall = wall_seconds(), cpu = cpu_seconds();
   RunStatus status{RunReason::finished, 0, "reached the requested time"};
   std::optional<RunStatus> failure;
-  impl_->sound_state = impl_->state();
+  if (impl_->sound_state.empty()) impl_->keep_sound_state();
   // Half a step of tolerance: the sum of many steps is not exactly the time of a frame.
   while (!failure && time() + 0.5 * impl_->time_step < until) {
     if (stop.stop_requested()) {
@@ -286,7 +325,7 @@ RunStatus Simulation::advance(double until, const std::stop_token& stop) {
     impl_->step();
     if (impl_->system.steps() % kFaultInterval != 0) continue;
     failure = impl_->check();
-    if (!failure) impl_->sound_state = impl_->state();
+    if (!failure && impl_->system.steps() >= impl_->sound_step + kCopyInterval) impl_->keep_sound_state();
   }
   if (!failure) failure = impl_->check();
   if (failure) status = *failure;
@@ -297,10 +336,8 @@ RunStatus Simulation::advance(double until, const std::stop_token& stop) {
 }
 
 Snapshot Simulation::snapshot() {
-  Snapshot result;
-  const EnergyAudit energy = impl_->system.capture(result);
-  impl_->channels.fill(result, structure(), impl_->system, energy, impl_->time_step);
-  return result;
+  impl_->snapshot_steps.push_back(impl_->system.steps());
+  return impl_->snapshot();
 }
 
 std::vector<std::string> Simulation::change_strategy(const Scenario& wanted) {
@@ -325,6 +362,7 @@ void Simulation::restore(std::span<const double> state) {
     throw std::invalid_argument("the saved state does not belong to this scenario: it has another size");
   }
   impl_->set_state(state);
+  impl_->sound_state.clear();
   if (const auto fault = impl_->system.fault()) {
     throw std::invalid_argument("the saved state does not belong to this scenario: " + *fault);
   }

@@ -3,6 +3,7 @@
 // to whole blocks of eight. Positions belong to step n, velocities to the half step before it (leapfrog).
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstdint>
 
 #include "engine/ancf/element_batch.h"
@@ -25,6 +26,9 @@ class SlotVectors {
     x_[slot] += value.x();
     y_[slot] += value.y();
     z_[slot] += value.z();
+  }
+  void set_zero() {
+    for (auto* component : {&x_, &y_, &z_}) std::fill(component->begin(), component->end(), 0.0);
   }
   std::int32_t size() const { return static_cast<std::int32_t>(x_.size()); }
   SlotArrays arrays() { return {x_.data(), y_.data(), z_.data()}; }

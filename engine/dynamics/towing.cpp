@@ -53,7 +53,8 @@ BodyControl SpacecraftDrive::at(double time, double velocity_y) {
     case TowingMode::none:
       break;
   }
-  control.point.x() = towing_.offset;
+  control.point.x() = towing_.offset * std::cos(towing_.offset_angle);
+  control.point.z() = towing_.offset * std::sin(towing_.offset_angle);
   return control;
 }
 

@@ -16,8 +16,9 @@ namespace netpocket {
 //   velocity      the spacecraft's velocity along Y goes from what it is at `start` to -`size` (m/s) over `duration` by
 //   a
 //                 cycloid and stays there; the thrust is what that takes
-// Thrust acts at `offset` (m) from the axis along the spacecraft's x axis. Station keeping holds attitude, or attitude
-// and lateral position, at all times.
+// Thrust acts at `offset` (m) from the axis, `offset_angle` (rad) from the spacecraft's x axis towards its z axis.
+// Station keeping holds attitude, or attitude and lateral position, at all times; held attitude takes up the moment of
+// the offset.
 class SpacecraftDrive {
  public:
   SpacecraftDrive(const TowingParameters& towing, StationKeeping station_keeping, double total_mass);

@@ -62,10 +62,7 @@ void CheckpointTables::store_states() {
   for (OutputTable* table : {&values_, &value_range_, &texts_, &text_range_}) table->store();
 }
 
-void CheckpointTables::store_times() {
-  time_.store();
-  time_.flush();
-}
+void CheckpointTables::store_times() { time_.store(); }
 
 CheckpointReader::CheckpointReader(const InputFile& file)
     : values_(file, "/checkpoints/values", H5T_FLOAT),

@@ -142,9 +142,6 @@ void FrameTables::store_frames() {
   }
 }
 
-void FrameTables::store_channels() {
-  channels_->store();
-  channels_->flush();
-}
+void FrameTables::store_channels() { channels_->store(); }
 
 }  // namespace netpocket

@@ -12,6 +12,8 @@ namespace netpocket {
 namespace {
 
 constexpr double kSmallFile = 1 << 16;
+// Least that a chunk takes up in a file, its place in the index included; HDF5 needs some 200 bytes of memory for each.
+constexpr double kSmallestChunk = 16;
 constexpr std::size_t kLongestAttribute = 1 << 16;
 
 double size_of_file(const std::string& path) {
@@ -105,6 +107,10 @@ void InputFile::check_plausible(const std::string& what, double bytes) const {
   if (bytes > kLargestCompression * bytes_ + kSmallFile) throw Hdf5Error(what + " claims an impossible size");
 }
 
+void InputFile::check_chunk_count(const std::string& what, double chunks) const {
+  if (chunks * kSmallestChunk > bytes_ + kSmallFile) throw Hdf5Error(what + " claims an impossible number of chunks");
+}
+
 InputTable::InputTable(const InputFile& file, const std::string& path, H5T_class_t type_class,
                        const std::vector<hsize_t>& shape)
     : path_(path), file_(&file) {
@@ -136,9 +142,13 @@ void InputTable::check_filters(const InputFile& file) const {
   if (H5Pget_layout(properties.get()) != H5D_CHUNKED) throw Hdf5Error(path_ + " is not stored in chunks");
   std::vector<hsize_t> chunk(size_.size());
   checked(H5Pget_chunk(properties.get(), static_cast<int>(chunk.size()), chunk.data()), path_ + " is damaged");
-  double bytes = 8;
-  for (const hsize_t n : chunk) bytes *= static_cast<double>(n);
+  double bytes = 8, chunks = 1;
+  for (std::size_t i = 0; i < chunk.size(); ++i) {
+    bytes *= static_cast<double>(chunk[i]);
+    chunks *= std::ceil(static_cast<double>(size_[i]) / static_cast<double>(chunk[i]));
+  }
   file.check_plausible(path_, bytes);
+  file.check_chunk_count(path_, chunks);
   const int filters = checked(H5Pget_nfilters(properties.get()), path_ + " is damaged");
   for (int i = 0; i < filters; ++i) {
     unsigned flags = 0;

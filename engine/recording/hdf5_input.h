@@ -29,6 +29,8 @@ class InputFile {
 
   // Throws when a file of this length cannot hold that much, however well compressed.
   void check_plausible(const std::string& what, double bytes) const;
+  // Throws when it cannot hold that many chunks.
+  void check_chunk_count(const std::string& what, double chunks) const;
 
  private:
   Handle file_;

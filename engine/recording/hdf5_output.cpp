@@ -98,15 +98,14 @@ void OutputTable::store() {
   }
   if (full < buffer_.size()) {
     std::vector<std::uint8_t> partial(buffer_.begin() + static_cast<std::ptrdiff_t>(full), buffer_.end());
-    partial.resize(chunk_bytes, 0);
+    // All ones are NaN: where a loss of power leaves the table's new length and its old chunk, these rows do not exist.
+    partial.resize(chunk_bytes, 0xff);
     write_chunk(first_buffered_row_ + full / row_bytes_, partial);
   }
   stored_rows_ = row_count();
   first_buffered_row_ += full / row_bytes_;
   buffer_.erase(buffer_.begin(), buffer_.begin() + static_cast<std::ptrdiff_t>(full));
 }
-
-void OutputTable::flush() { checked(H5Dflush(dataset_.get()), "flush table " + name_); }
 
 void OutputTable::write_chunk(hsize_t first_row, std::span<const std::uint8_t> rows) {
   const auto encoded = codec_->encode(rows, element_bytes_);

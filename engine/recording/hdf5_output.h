@@ -43,8 +43,6 @@ class OutputTable {
 
   // Writes the buffered rows. The last chunk may be partly filled; it is written again when it has grown.
   void store();
-  // Asks HDF5 to hand all of this dataset to the operating system.
-  void flush();
   hid_t dataset() const { return dataset_.get(); }
   hsize_t row_count() const { return first_buffered_row_ + buffer_.size() / row_bytes_; }
 

@@ -27,7 +27,6 @@ class Checker {
     if (s_.target.inertia_from == InertiaSource::given) check_inertia("target.inertia", s_.target.inertia);
     check_sections();
     check_output();
-    check_evaluation();
     check_profile();
     const auto shape = target_shape(s_);
     if (const auto* problem = std::get_if<Diagnostic>(&shape)) found_.add(*problem);
@@ -47,13 +46,6 @@ class Checker {
   void check_limits() {
     for (const Parameter& parameter : parameters()) {
       if (const auto problem = limit_problem(parameter, parameter.get(s_))) add(parameter.key, *problem);
-    }
-  }
-
-  // The wrinkling of rods does not converge with the full evaluation (THEORY.md, 5.1).
-  void check_evaluation() {
-    if (s_.solver.evaluation == Evaluation::full && s_.rods.pressure > 0) {
-      add("rods.pressure", "rods that wrinkle need solver.evaluation = \"mean_strain\"; with \"full\" leave it 0");
     }
   }
 
@@ -98,11 +90,24 @@ class Checker {
       if (point.x() < s_.rods.outer_diameter) {
         add("rods.profile", fmt::format("a rod {} m from the axis is nearer than its diameter {} m", point.x(),
                                         s_.rods.outer_diameter));
+        return;
       }
     }
+    check_gaps_between_rods();
     if (profile[1].y() <= profile[0].y() || profile[2].y() <= profile[1].y()) {
       add("rods.profile", fmt::format("the heights of root, kink and tip must increase, not go {}, {}, {} m",
                                       profile[0].y(), profile[1].y(), profile[2].y()));
+    }
+  }
+
+  void check_gaps_between_rods() {
+    const double chord = 2 * std::sin(std::numbers::pi / s_.pocket.rod_count);
+    for (const auto& point : s_.rods.profile) {
+      if (point.x() * chord >= s_.rods.outer_diameter) continue;
+      add("rods.profile", fmt::format("{} rods {} m from the axis intersect: their axes are {:.3g} m apart, less than "
+                                      "their diameter {} m",
+                                      s_.pocket.rod_count, point.x(), point.x() * chord, s_.rods.outer_diameter));
+      return;
     }
   }
 

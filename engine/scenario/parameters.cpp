@@ -215,10 +215,11 @@ constexpr std::array kParameters = {
     parameter<kTowing, &Towing::start>("towing.start", within(0, 1e5), "s", "time at which towing starts", "paper, section 4.2"),
     parameter<kTowing, &Towing::duration>("towing.duration", within(1e-3, 1e5), "s", "length of the thrust or of the ramp", kAssumption),
     parameter<kTowing, &Towing::size>("towing.size", within(0, 1e5), "N, m/s^2 or m/s by mode", "size of the force, acceleration or velocity, towards -Y", kAssumption),
-    parameter<kTowing, &Towing::offset>("towing.offset", within(-100, 100), "m", "distance of the line of thrust from the axis, along +X", kAssumption),
+    parameter<kTowing, &Towing::offset>("towing.offset", within(-100, 100), "m", "distance of the line of thrust from the axis", kAssumption),
+    parameter<kTowing, &Towing::offset_angle>("towing.offset_angle", within(-10, 10), "rad", "direction in which the line of thrust is off the axis, from +X towards +Z; along an axis the pocket keeps a plane of symmetry", kAssumption),
 
     parameter<kSolver, &Solver::evaluation>("solver.evaluation", kNone, "", "mean_strain: one axial strain per element, lumped mass; full: Gauss points, consistent mass", "assumption; strain and curvature of full: Gerstmayr & Shabana 2006"),
-    parameter<kSolver, &Solver::pair_strains>("solver.pair_strains", kNone, "", "the elements of a mesh side share their axial strain two by two, which allows larger steps; mean_strain, cords of full compression and straight sides (pocket.bow 0) only: with bowed ones some nets were unstable", "assumption; ancf/strain_pair.h"),
+    parameter<kSolver, &Solver::pair_strains>("solver.pair_strains", kNone, "", "the elements of a mesh side share their axial strain two by two, which allows larger steps; mean_strain and cords of full compression only", "assumption; ancf/strain_pair.h"),
     parameter<kSolver, &Solver::time_step>("solver.time_step", within(0, 0.1), "s", "integration step; 0: chosen from the stiffest element and contact", kAssumption),
     parameter<kSolver, &Solver::safety>("solver.safety", above(0, 1), "", "fraction of the stable step that is used", kAssumption),
     parameter<kSolver, &Solver::gravity>("solver.gravity", within(-100, 100), "m/s^2", "gravity", "assumption: none in orbit"),

@@ -26,6 +26,17 @@ std::string unknown_text(std::string_view kind, std::optional<std::string_view> 
   return fmt::format("is not {}; scenarios/REFERENCE.md lists them all", kind);
 }
 
+// A message of the parser, which repeats what stands in the file, as one line of bounded length.
+std::string printable(std::string_view message) {
+  constexpr std::size_t kLongest = 300;
+  std::size_t end = std::min(message.size(), kLongest);
+  while (end > 0 && end < message.size() && (static_cast<unsigned char>(message[end]) & 0xC0) == 0x80) --end;
+  std::string line(message.substr(0, end));
+  std::ranges::replace_if(
+      line, [](unsigned char byte) { return byte < 0x20 || byte == 0x7f; }, ' ');
+  return end < message.size() ? line + "..." : line;
+}
+
 // Either a table or the problem that kept the parser from making one.
 std::variant<toml::table, Diagnostic> parse(std::string_view text) {
   if (const int line = line_of_too_deep_key(text, kDeepestKey)) {
@@ -34,7 +45,7 @@ std::variant<toml::table, Diagnostic> parse(std::string_view text) {
   try {
     return toml::parse(text);
   } catch (const toml::parse_error& error) {
-    return Diagnostic{.line = static_cast<int>(error.source().begin.line), .message = std::string(error.description())};
+    return Diagnostic{.line = static_cast<int>(error.source().begin.line), .message = printable(error.description())};
   }
 }
 

@@ -97,15 +97,16 @@ struct ClosingParameters {
   double duration = 10;                // s
   double closed_length = 2.1;          // m, rope between adjacent tips when closed
   std::vector<Eigen::Vector2d> table;  // (t in s after start, L in m), law = table
-  int elements = 4;                    // variable-length elements per rope
+  int elements = 2;                    // variable-length elements per rope
 };
 
 struct TowingParameters {
   TowingMode mode = TowingMode::acceleration;
-  double start = 10;      // s
-  double duration = 4;    // s, length of the thrust or of the ramp
-  double size = 0.01;     // N, m/s^2 or m/s by mode; pulls towards -Y
-  double offset = 0.005;  // m, of the line of thrust from the axis, along +X
+  double start = 10;        // s
+  double duration = 4;      // s, length of the thrust or of the ramp
+  double size = 0.01;       // N, m/s^2 or m/s by mode; pulls towards -Y
+  double offset = 0.005;    // m, of the line of thrust from the axis
+  double offset_angle = 0;  // rad, from +X towards +Z, of the direction it is off in
 };
 
 struct SolverParameters {

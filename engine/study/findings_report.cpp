@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include "engine/study/report_text.h"
 
 namespace netpocket {
 namespace {
@@ -10,48 +10,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string yes_no(const Json& finding_case) { return finding_case["holds"].get<bool>() ? "yes" : "no"; }
-
-// A finding of a point; null when the point was refused.
-const Json* find(const StudyRecord& record, const std::string& id) {
-  for (const Json& finding : record["findings"]) {
-    if (finding["id"] == id) return &finding;
-  }
-  return nullptr;
-}
-
-bool all_hold(const Json& finding) {
-  const auto& cases = finding["cases"];
-  return std::all_of(cases.begin(), cases.end(), [](const Json& c) { return c["holds"].get<bool>(); });
-}
-
-std::string point_name(const StudyRecord& record) {
-  const std::string place = record["place"].get<std::string>();
-  return place.empty() ? fmt::format("point {}", record["point"].get<int>()) : place;
-}
-
-std::string settings_text(const StudyRecord& record) {
-  std::vector<std::string> parts;
-  for (const auto& [key, value] : record["settings"].items()) {
-    parts.push_back(fmt::format("`{} = {}`", key, value.get<std::string>()));
-  }
-  return parts.empty() ? "nothing" : fmt::format("{}", fmt::join(parts, ", "));
-}
-
-// In a cell of a Markdown table.
-std::string cell(const std::string& text) {
-  std::string escaped;
-  for (const char c : text) {
-    if (c == '|') escaped += '\\';
-    escaped += c;
-  }
-  return escaped;
-}
-
-std::string header_row(const std::vector<std::string>& names) {
-  std::string rule;
-  for (std::size_t i = 0; i < names.size(); ++i) rule += "|---";
-  return fmt::format("| {} |\n{}|\n", fmt::join(names, " | "), rule);
-}
 
 // How often a finding holds in all variants of the points after the first.
 struct Robustness {
@@ -63,10 +21,10 @@ struct Robustness {
 Robustness robustness(const std::vector<StudyRecord>& records, const std::string& id) {
   Robustness result;
   for (std::size_t i = 1; i < records.size(); ++i) {
-    const Json* finding = find(records[i], id);
+    const Json* finding = find_finding(records[i], id);
     if (!finding) continue;
     ++result.points;
-    if (all_hold(*finding)) {
+    if (holds_in_all_cases(*finding)) {
       ++result.holds;
       continue;
     }
@@ -84,10 +42,10 @@ std::string summary_table(const std::vector<StudyRecord>& records) {
   std::vector<std::string> names = {"", "the paper's statement"};
   for (const Json& run : first["runs"]) names.push_back(run["variant"].get<std::string>());
   if (records.size() > 1) names.emplace_back("also at");
-  std::string text = header_row(names);
+  std::string text = markdown_header(names);
   for (const Json& finding : first["findings"]) {
     const std::string id = finding["id"].get<std::string>();
-    text += fmt::format("| {} | {} |", id, cell(finding["text"].get<std::string>()));
+    text += fmt::format("| {} | {} |", id, markdown_cell(finding["text"].get<std::string>()));
     for (const Json& c : finding["cases"]) text += fmt::format(" {} |", yes_no(c));
     const Robustness r = robustness(records, id);
     if (records.size() > 1) text += fmt::format(" {} of {} other points |", r.holds, r.points);
@@ -100,10 +58,10 @@ std::string finding_section(const Study& study, const std::vector<StudyRecord>& 
   const std::string id = finding["id"].get<std::string>();
   std::string text = fmt::format("### {} {}\n\nRule: {}.\n\n", id, finding["text"].get<std::string>(),
                                  finding["rule"].get<std::string>());
-  text += header_row({"case", "", "found"});
+  text += markdown_header({"case", "", "found"});
   for (const Json& c : finding["cases"]) {
-    text += fmt::format("| {} | {} | {} |\n", cell(c["name"].get<std::string>()), yes_no(c),
-                        cell(c["value"].get<std::string>()));
+    text += fmt::format("| {} | {} | {} |\n", markdown_cell(c["name"].get<std::string>()), yes_no(c),
+                        markdown_cell(c["value"].get<std::string>()));
   }
   const Robustness r = robustness(records, id);
   if (r.points > 0) {
@@ -124,11 +82,11 @@ std::string points_table(const std::vector<StudyRecord>& records) {
     names.push_back(variant + " first contact, s");
   }
   names.emplace_back("findings that hold in all cases");
-  std::string text = header_row(names);
+  std::string text = markdown_header(names);
   for (const StudyRecord& record : records) {
-    text += fmt::format("| {} | {} |", cell(point_name(record)), cell(settings_text(record)));
+    text += fmt::format("| {} | {} |", markdown_cell(point_name(record)), markdown_cell(settings_text(record)));
     if (record["runs"].empty()) {
-      text += fmt::format(" refused: {} |\n", cell(record["refused"].get<std::string>()));
+      text += fmt::format(" refused: {} |\n", markdown_cell(record["refused"].get<std::string>()));
       continue;
     }
     for (const Json& run : record["runs"]) {
@@ -136,10 +94,7 @@ std::string points_table(const std::vector<StudyRecord>& records) {
       text += fmt::format(" {:.4g} | {} |", run["peak_force"]["y"].get<double>(),
                           contact.is_null() ? "none" : fmt::format("{:.4g}", contact.get<double>()));
     }
-    std::vector<std::string> held;
-    for (const Json& finding : record["findings"]) {
-      if (all_hold(finding)) held.push_back(finding["id"].get<std::string>());
-    }
+    const std::vector<std::string> held = held_findings(record);
     text += fmt::format(" {}: {} |\n", held.size(), fmt::join(held, " "));
   }
   return text;
@@ -163,7 +118,7 @@ std::string findings_report(const Study& study, const std::vector<StudyRecord>& 
     return fmt::format("# {}\n\nThe first point was not run.\n", study.name);
   std::string text = "# Findings of the paper\n\n";
   text += study.description + "\n\n";
-  text += fmt::format("Written by `netpocket study {}.toml --report`; scenarios {}.\n\n", study.name,
+  text += fmt::format("Written by `netpocket study {}.toml --report`; scenarios {}.\n\n", study.file,
                       study_identity(study));
   text += summary_table(records);
   text += "\n## One by one\n\n";

@@ -58,9 +58,9 @@ class StudyReader {
   explicit StudyReader(std::string path) : path_(std::move(path)) {}
 
   StudyResult read(const toml::table& file) {
-    study_.name = std::filesystem::path(path_).stem().string();
-    check_names(file, {"name", "description", "base", "sampling", "samples", "seed", "keep_recordings", "set", "vary",
-                       "point", "variant", "remarks"});
+    study_.name = study_.file = std::filesystem::path(path_).stem().string();
+    check_names(file, {"name", "description", "base", "sampling", "samples", "seed", "keep_recordings", "report", "set",
+                       "vary", "point", "variant", "remarks"});
     read_text(file, "name", study_.name);
     read_text(file, "description", study_.description);
     read_base(file);
@@ -74,6 +74,7 @@ class StudyReader {
     study_.variants = read_named(file, "variant", scenario);
     if (const toml::table* vary = table(file, "vary")) read_axes(*vary, "", scenario);
     read_remarks(file);
+    if (const toml::table* report = table(file, "report")) read_report(*report);
     if (found_.ok()) check_size();
     return result();
   }
@@ -259,6 +260,23 @@ class StudyReader {
       if (!text) report(*node, "remarks." + key, "expects a text in quotes");
       study_.remarks[key] = text.value_or("");
     }
+  }
+
+  void read_report(const toml::table& file) {
+    check_names(file, {"of", "best", "show"});
+    std::string of = "findings";
+    read_text(file, "of", of);
+    if (of != "findings" && of != "search") {
+      report(*file.get("of"), "report.of", "expects \"findings\" or \"search\", not " + netpocket::quoted(of));
+    }
+    study_.report.of_search = of == "search";
+    study_.report.best = static_cast<int>(read_whole(file, "best", 0, INT32_MAX).value_or(0));
+    if (!file.contains("show")) return;
+    const toml::array* show = file.get_as<toml::array>("show");
+    if (!show || !show->is_homogeneous<std::string>()) {
+      return report(*file.get("show"), "report.show", "expects a list of findings, e.g. [\"F5\", \"F10\"]");
+    }
+    for (const toml::node& id : *show) study_.report.show.push_back(*id.value<std::string>());
   }
 
   void check_size() {

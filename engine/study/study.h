@@ -34,8 +34,16 @@ enum class Sampling {
   halton,  // points spread evenly over all axes at once: Halton, Numer. Math. 2 (1960) 84
 };
 
+// What --report writes.
+struct StudyReport {
+  bool of_search = false;         // the best of many points; otherwise the findings of the first point
+  int best = 0;                   // of a search: points in the table; 0: all
+  std::vector<std::string> show;  // of a search: findings whose values stand in the table
+};
+
 struct Study {
   std::string name;
+  std::string file;  // its name without folder and extension
   std::string description;
   Scenario base;
   std::vector<Setting> settings;        // of all points
@@ -46,6 +54,7 @@ struct Study {
   int samples = 0;        // halton: points for each place
   std::int64_t seed = 1;  // halton: of the shift
   bool keep_recordings = false;
+  StudyReport report;
   std::map<std::string, std::string> remarks;  // by finding ("F5"), for the report
 };
 

@@ -5,9 +5,9 @@
 #include <thread>
 
 #include "engine/recording/text_file.h"
-#include "engine/study/findings_report.h"
 #include "engine/study/read_study.h"
 #include "engine/study/run_study.h"
+#include "engine/study/search_report.h"
 #include "gui/commands/command.h"
 #include "gui/commands/interrupt.h"
 #include "gui/commands/options.h"
@@ -97,7 +97,7 @@ ExitCode run(const StudyChoice& choice, const std::string& command_line) {
     fmt::print(stderr, "netpocket: interrupted; the points that are done are kept, --resume goes on\n");
     return ExitCode::interrupted;
   }
-  if (!choice.report.empty()) write_text_file(choice.report, findings_report(study, outcome.records));
+  if (!choice.report.empty()) write_text_file(choice.report, study_report(study, outcome.records));
   return ExitCode::ok;
 }
 
@@ -113,7 +113,7 @@ Action declare_study(CLI::App& app) {
       ->check(whole_number(1, 256))
       ->capture_default_str();
   app.add_flag("--resume", choice->resume, "go on with a study in the same folder: only what is missing is run");
-  app.add_option("--report", choice->report, "also write the findings as a report (Markdown)")->type_name("FILE.md");
+  app.add_option("--report", choice->report, "also write what was found as a report (Markdown)")->type_name("FILE.md");
   app.add_flag("--quiet", choice->quiet, "no progress and no last line");
   app.footer(kFooter + exit_code_help({ExitCode::bad_input, ExitCode::io, ExitCode::interrupted}));
   return [choice](const std::string& command_line) { return run(*choice, command_line); };

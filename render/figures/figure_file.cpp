@@ -14,6 +14,7 @@
 #include <memory>
 #include <system_error>
 
+#include "render/figures/svg_text.h"
 #include "render/fonts/font_file.h"
 
 namespace netpocket {
@@ -84,17 +85,32 @@ std::string encode_png(const Figure& figure, double resolution) {
   return bytes;
 }
 
-std::string encode_vector(const Figure& figure, FigureFormat format) {
+using MakeSurface = decltype(&cairo_svg_surface_create_for_stream);
+
+// Draws on a surface that writes into `bytes`, which must stay until the surface is finished.
+SurfacePointer make_surface(MakeSurface make, const Figure& figure, std::string& bytes) {
+  return {make(append, &bytes, figure.width(), figure.height()), &cairo_surface_destroy};
+}
+
+void draw_and_finish(const Figure& figure, cairo_surface_t* surface) {
+  draw_onto(figure, surface, figure.width(), figure.height(), 1);
+  cairo_surface_finish(surface);
+  require_success(cairo_surface_status(surface), figure);
+}
+
+std::string encode_svg(const Figure& figure) {
   std::string bytes;
-  const auto create =
-      format == FigureFormat::svg ? cairo_svg_surface_create_for_stream : cairo_pdf_surface_create_for_stream;
-  const SurfacePointer surface(create(append, &bytes, figure.width(), figure.height()), &cairo_surface_destroy);
-  if (format == FigureFormat::pdf) {
-    cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, figure.title.c_str());
-  }
-  draw_onto(figure, surface.get(), figure.width(), figure.height(), 1);
-  cairo_surface_finish(surface.get());
-  require_success(cairo_surface_status(surface.get()), figure);
+  const auto surface = make_surface(cairo_svg_surface_create_for_stream, figure, bytes);
+  const SvgText text(surface.get());
+  draw_and_finish(figure, surface.get());
+  return text.added_to(std::move(bytes));
+}
+
+std::string encode_pdf(const Figure& figure) {
+  std::string bytes;
+  const auto surface = make_surface(cairo_pdf_surface_create_for_stream, figure, bytes);
+  cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, figure.title.c_str());
+  draw_and_finish(figure, surface.get());
   return bytes;
 }
 
@@ -137,7 +153,8 @@ const char* to_string(FigureFormat format) {
 
 std::string encode_figure(const Figure& figure, FigureFormat format, double resolution) {
   font_file();  // Cairo would draw with any other font, or with none
-  return format == FigureFormat::png ? encode_png(figure, resolution) : encode_vector(figure, format);
+  if (format == FigureFormat::svg) return encode_svg(figure);
+  return format == FigureFormat::pdf ? encode_pdf(figure) : encode_png(figure, resolution);
 }
 
 void save_figure(const Figure& figure, const std::filesystem::path& path, double resolution) {

@@ -19,7 +19,7 @@ FigureFormat figure_format(std::string_view name);
 const char* to_string(FigureFormat format);
 
 // The figure as the bytes of a file. `resolution` (dots per inch) matters for PNG only, which also states it inside.
-// SVG has glyphs as outlines, so it looks the same without the fonts; PDF embeds them, so its text can be searched.
+// Text is text in SVG and PDF, which can be searched; PDF embeds the font, SVG names it and one that is as wide.
 // Throws FigureError when the picture would be larger than Cairo can make, RenderError when the font is not installed.
 std::string encode_figure(const Figure& figure, FigureFormat format, double resolution = kPrintResolution);
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "render/figures/svg_text.h"
+
 namespace netpocket {
 namespace {
 
@@ -12,7 +14,7 @@ constexpr double kSubscriptDrop = 0.16;
 void select_face(cairo_t* context, const TextRun& run, const TextStyle& style) {
   cairo_select_font_face(context, "DejaVu Sans", run.italic ? CAIRO_FONT_SLANT_ITALIC : CAIRO_FONT_SLANT_NORMAL,
                          style.bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
-  cairo_set_font_size(context, run.script == 0 ? style.size : kScriptSize * style.size);
+  cairo_set_font_size(context, font_size(run, style));
   cairo_font_options_t* options = cairo_font_options_create();
   cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
   cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
@@ -28,13 +30,17 @@ double advance(cairo_t* context, const TextRun& run, const TextStyle& style) {
   return extents.x_advance;
 }
 
+}  // namespace
+
+double font_size(const TextRun& run, const TextStyle& style) {
+  return run.script == 0 ? style.size : kScriptSize * style.size;
+}
+
 double baseline_shift(const TextRun& run, const TextStyle& style) {
   if (run.script > 0) return -kSuperscriptRise * style.size;
   if (run.script < 0) return kSubscriptDrop * style.size;
   return 0;
 }
-
-}  // namespace
 
 std::vector<TextRun> parse_rich_text(std::string_view markup) {
   std::vector<TextRun> runs;
@@ -85,6 +91,7 @@ TextStyle shrunk_to_fit(cairo_t* context, std::string_view markup, TextStyle sty
 }
 
 void draw_text(cairo_t* context, std::string_view markup, const TextStyle& style, double x, double y, TextAlign align) {
+  if (auto* svg = SvgText::of(context)) return svg->add(context, parse_rich_text(markup), style, x, y, align);
   const double width = text_width(context, markup, style);
   if (align == TextAlign::centre) x -= width / 2;
   if (align == TextAlign::right) x -= width;

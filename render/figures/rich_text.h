@@ -35,6 +35,10 @@ struct TextRun {
 
 std::vector<TextRun> parse_rich_text(std::string_view markup);
 
+// Of a run of a text, points: the size of its letters, and how far its baseline is below the text's.
+double font_size(const TextRun& run, const TextStyle& style);
+double baseline_shift(const TextRun& run, const TextStyle& style);
+
 // Escapes the markup, so that the text appears as it is.
 std::string plain_text(std::string_view text);
 

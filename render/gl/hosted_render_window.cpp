@@ -1,6 +1,9 @@
 #include "render/gl/hosted_render_window.h"
 
+#include <GL/gl.h>
+#include <GL/glext.h>
 #include <vtkObjectFactory.h>
+#include <vtkOpenGLFramebufferObject.h>
 
 namespace netpocket {
 
@@ -34,6 +37,35 @@ void HostedRenderWindow::release_host() {
 
 void HostedRenderWindow::MakeCurrent() {
   if (host_) host_->make_current();
+}
+
+void HostedRenderWindow::keep_where_drawn() {
+  shown_ = false;
+  // The window makes all its framebuffers when it is first drawn in. Those it draws in grow with it; of the one for a
+  // display, the parts are taken away before.
+  const int width = GetSize()[0], height = GetSize()[1];
+  SetSize(1, 1);
+  MakeCurrent();
+  OpenGLInit();
+  Start();
+  End();
+  for (const unsigned side : {0U, 1U}) GetDisplayFramebuffer()->RemoveColorAttachment(side);
+  GetDisplayFramebuffer()->RemoveDepthAttachment();
+  SetSize(width, height);
+}
+
+void HostedRenderWindow::Frame() {
+  if (shown_) Superclass::Frame();
+}
+
+void HostedRenderWindow::read_rgba(std::uint8_t* rgba) {
+  MakeCurrent();
+  auto& drawn = *(shown_ ? GetDisplayFramebuffer() : GetRenderFramebuffer());
+  drawn.Bind(GL_READ_FRAMEBUFFER);
+  drawn.ActivateReadBuffer(0);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  const int* size = GetSize();
+  glReadPixels(0, 0, size[0], size[1], GL_RGBA, GL_UNSIGNED_BYTE, rgba);
 }
 
 bool HostedRenderWindow::IsCurrent() { return host_ && host_->is_current(); }

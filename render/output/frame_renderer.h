@@ -29,8 +29,8 @@ struct DrawnFrame {
   std::vector<std::uint8_t> rgba = {};
 };
 
-// The finished picture of a drawn frame.
-Image smooth_frame(const DrawnFrame& frame);
+// The finished picture of a drawn frame. A used picture may be given back: its memory is used again.
+Image smooth_frame(const DrawnFrame& frame, Image used = {});
 
 class FrameRenderer {
  public:

@@ -1,15 +1,16 @@
 #include "render/output/png_file.h"
 
 #include <fmt/format.h>
-#include <libdeflate.h>
+#include <isa-l/crc.h>
+#include <isa-l/igzip_lib.h>
 #include <spng.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <memory>
-#include <new>
-#include <span>
+#include <stdexcept>
 #include <string_view>
 
 #include "render/output/whole_file.h"
@@ -21,92 +22,106 @@ namespace {
 using Context = std::unique_ptr<spng_ctx, decltype(&spng_ctx_free)>;
 using File = std::unique_ptr<std::FILE, decltype(&std::fclose)>;
 
-// Pictures of thin lines on a plain ground are small at any level: the fastest.
-constexpr int kCompressionLevel = 1;
-constexpr std::string_view kCommentKey = "Comment";
-
-using Compressor = std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)>;
 using Bytes = std::vector<std::uint8_t>;
+
+constexpr std::string_view kCommentKey = "Comment";
 
 void append_word(Bytes& bytes, std::uint32_t word) {
   for (const int shift : {24, 16, 8, 0}) bytes.push_back(static_cast<std::uint8_t>(word >> shift));
 }
 
-// A chunk of the format: length, type, data, checksum of type and data.
-void append_chunk(Bytes& file, std::string_view type, std::span<const std::uint8_t> data) {
-  append_word(file, static_cast<std::uint32_t>(data.size()));
+void put_word(std::uint8_t* place, std::uint32_t word) {
+  for (const int shift : {24, 16, 8, 0}) *place++ = static_cast<std::uint8_t>(word >> shift);
+}
+
+// A chunk of the format is length, type, data, checksum of type and data. Begins one; where it begins.
+std::size_t begin_chunk(Bytes& file, std::string_view type) {
   const auto start = file.size();
+  append_word(file, 0);
   file.insert(file.end(), type.begin(), type.end());
-  file.insert(file.end(), data.begin(), data.end());
-  append_word(file, libdeflate_crc32(0, file.data() + start, file.size() - start));
+  return start;
 }
 
-Bytes header_data(const Image& image) {
-  Bytes data;
-  append_word(data, static_cast<std::uint32_t>(image.width));
-  append_word(data, static_cast<std::uint32_t>(image.height));
+// The data of the chunk is what has been appended since.
+void end_chunk(Bytes& file, std::size_t start) {
+  const auto type_and_data = start + 4;
+  put_word(file.data() + start, static_cast<std::uint32_t>(file.size() - type_and_data - 4));
+  append_word(file, crc32_gzip_refl(0, file.data() + type_and_data, file.size() - type_and_data));
+}
+
+void append_header(Bytes& file, const Image& image) {
   constexpr std::uint8_t kBitDepth = 8, kTrueColor = 2, kWithAlpha = 6, kDeflate = 0, kAdaptive = 0, kNotInterlaced = 0;
-  data.insert(data.end(),
+  const auto chunk = begin_chunk(file, "IHDR");
+  append_word(file, static_cast<std::uint32_t>(image.width));
+  append_word(file, static_cast<std::uint32_t>(image.height));
+  file.insert(file.end(),
               {kBitDepth, image.alpha.empty() ? kTrueColor : kWithAlpha, kDeflate, kAdaptive, kNotInterlaced});
-  return data;
+  end_chunk(file, chunk);
 }
 
-// Colours and alpha of a picture pixel by pixel.
-Bytes with_alpha(const Image& image) {
-  Bytes rgba;
-  rgba.reserve(4 * image.alpha.size());
-  for (std::size_t i = 0; i < image.alpha.size(); ++i) {
-    rgba.insert(rgba.end(), {image.rgb[3 * i], image.rgb[3 * i + 1], image.rgb[3 * i + 2], image.alpha[i]});
+// Text: keyword, a zero, text.
+void append_comment(Bytes& file, const std::string& comment) {
+  const auto chunk = begin_chunk(file, "tEXt");
+  file.insert(file.end(), kCommentKey.begin(), kCommentKey.end());
+  file.push_back(0);
+  file.insert(file.end(), comment.begin(), comment.end());
+  end_chunk(file, chunk);
+}
+
+// Rows as they are, each preceded by the number of the filter "none": pictures of thin lines on a plain ground repeat
+// pixels and rows, and differences repeat less.
+void arrange_rows(const Image& image, Bytes& rows) {
+  constexpr std::uint8_t kNoFilter = 0;
+  const std::size_t width = static_cast<std::size_t>(image.width), channels = image.alpha.empty() ? 3 : 4;
+  rows.resize((channels * width + 1) * static_cast<std::size_t>(image.height));
+  std::uint8_t* out = rows.data();
+  const std::uint8_t *rgb = image.rgb.data(), *alpha = image.alpha.data();
+  for (int row = 0; row < image.height; ++row, rgb += 3 * width) {
+    *out++ = kNoFilter;
+    if (channels == 3) {
+      out = std::copy_n(rgb, 3 * width, out);
+      continue;
+    }
+    for (std::size_t i = 0; i < width; ++i) {
+      out = std::copy_n(rgb + 3 * i, 3, out);
+      *out++ = *alpha++;
+    }
   }
-  return rgba;
 }
 
-// Each row as its difference from the one above, preceded by the number of that filter.
-Bytes filtered_rows(const Bytes& pixels, std::size_t row_bytes) {
-  constexpr std::uint8_t kUp = 2;
-  const std::size_t row_count = pixels.size() / row_bytes;
-  Bytes rows((row_bytes + 1) * row_count);
-  const Bytes nothing(row_bytes);
-  const std::uint8_t* above = nothing.data();
-  for (std::size_t row = 0; row < row_count; ++row) {
-    const std::uint8_t* here = pixels.data() + row * row_bytes;
-    std::uint8_t* out = rows.data() + row * (row_bytes + 1);
-    *out++ = kUp;
-    for (std::size_t i = 0; i < row_bytes; ++i) out[i] = static_cast<std::uint8_t>(here[i] - above[i]);
-    above = here;
+// Appends the bytes in zlib's format. ISA-L takes a seventh of the time of libdeflate's or zlib's fastest level.
+void append_compressed(Bytes& file, Bytes& bytes) {
+  Bytes memory(ISAL_DEF_LVL1_DEFAULT);
+  isal_zstream stream;
+  isal_deflate_init(&stream);
+  stream.gzip_flag = IGZIP_ZLIB;
+  stream.level = 1;
+  stream.level_buf = memory.data();
+  stream.level_buf_size = static_cast<std::uint32_t>(memory.size());
+  stream.end_of_stream = 1;
+  stream.next_in = bytes.data();
+  stream.avail_in = static_cast<std::uint32_t>(bytes.size());
+  while (stream.internal_state.state != ZSTATE_END) {
+    const auto size = file.size();
+    constexpr std::size_t kStep = 1 << 20;
+    file.resize(size + kStep);
+    stream.next_out = file.data() + size;
+    stream.avail_out = kStep;
+    if (isal_deflate(&stream) != COMP_OK) throw std::logic_error("ISA-L cannot compress a picture");
+    file.resize(file.size() - stream.avail_out);
   }
-  return rows;
 }
 
-Bytes image_data(const Image& image) {
-  if (image.alpha.empty()) return filtered_rows(image.rgb, image.row_bytes());
-  return filtered_rows(with_alpha(image), 4 * static_cast<std::size_t>(image.width));
-}
-
-// A text chunk: keyword, a zero, text.
-Bytes comment_data(const std::string& comment) {
-  Bytes data(kCommentKey.begin(), kCommentKey.end());
-  data.push_back(0);
-  data.insert(data.end(), comment.begin(), comment.end());
-  return data;
-}
-
-Bytes compressed(const Bytes& bytes) {
-  const Compressor compressor(libdeflate_alloc_compressor(kCompressionLevel), libdeflate_free_compressor);
-  if (!compressor) throw std::bad_alloc();
-  Bytes packed(libdeflate_zlib_compress_bound(compressor.get(), bytes.size()));
-  packed.resize(libdeflate_zlib_compress(compressor.get(), bytes.data(), bytes.size(), packed.data(), packed.size()));
-  return packed;
-}
-
-// The format (ISO/IEC 15948) written directly: three times as fast as through a PNG library on zlib.
-Bytes encode(const Image& image, const std::string& comment) {
-  Bytes file = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
-  append_chunk(file, "IHDR", header_data(image));
-  if (!comment.empty()) append_chunk(file, "tEXt", comment_data(comment));
-  append_chunk(file, "IDAT", compressed(image_data(image)));
-  append_chunk(file, "IEND", {});
-  return file;
+// The format (ISO/IEC 15948) written directly: several times as fast as through a PNG library on zlib.
+void encode(const Image& image, const std::string& comment, Bytes& pixels, Bytes& file) {
+  file.assign({0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'});
+  append_header(file, image);
+  if (!comment.empty()) append_comment(file, comment);
+  arrange_rows(image, pixels);
+  const auto chunk = begin_chunk(file, "IDAT");
+  append_compressed(file, pixels);
+  end_chunk(file, chunk);
+  end_chunk(file, begin_chunk(file, "IEND"));
 }
 
 File open_file(const std::string& path) {
@@ -115,15 +130,19 @@ File open_file(const std::string& path) {
 
 }  // namespace
 
-void write_png(const Image& image, const std::string& path, const std::string& comment) {
-  const auto bytes = encode(image, comment);
+void PngWriter::write(const Image& image, const std::string& path, const std::string& comment) {
+  encode(image, comment, pixels_, file_);
   WholeFile file(path);
   const File stream(std::fopen(file.temporary_path().c_str(), "wb"), std::fclose);
-  if (!stream || std::fwrite(bytes.data(), 1, bytes.size(), stream.get()) != bytes.size() ||
+  if (!stream || std::fwrite(file_.data(), 1, file_.size(), stream.get()) != file_.size() ||
       std::fflush(stream.get()) != 0) {
     throw RenderError(fmt::format("cannot write {}: {}", path, std::strerror(errno)));
   }
   file.commit();
+}
+
+void write_png(const Image& image, const std::string& path, const std::string& comment) {
+  PngWriter().write(image, path, comment);
 }
 
 Image read_png(const std::string& path) {

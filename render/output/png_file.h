@@ -8,8 +8,18 @@
 
 namespace netpocket {
 
-// Replaces an existing file. A comment (Latin-1) is kept in the file. Throws RenderError with one sentence that names
-// the file.
+// Writes pictures one after the other; keeps its memory from one to the next. One thread at a time.
+class PngWriter {
+ public:
+  // Replaces an existing file. A comment (Latin-1) is kept in the file. Throws RenderError with one sentence that names
+  // the file.
+  void write(const Image& image, const std::string& path, const std::string& comment = {});
+
+ private:
+  std::vector<std::uint8_t> pixels_;  // as they are compressed
+  std::vector<std::uint8_t> file_;
+};
+
 void write_png(const Image& image, const std::string& path, const std::string& comment = {});
 
 // Reads any PNG as RGB, with alpha when it has it. Throws RenderError with one sentence that names the file.

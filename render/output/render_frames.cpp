@@ -26,8 +26,9 @@ struct Picture {
   std::string existing;  // path; empty: drawn
 };
 
-Image joined(const std::vector<DrawnFrame>& frames) {
-  if (frames.size() == 1) return smooth_frame(frames.front());
+// A used picture's memory is used again.
+Image joined(const std::vector<DrawnFrame>& frames, Image used) {
+  if (frames.size() == 1) return smooth_frame(frames.front(), std::move(used));
   std::vector<Image> images;
   for (const auto& frame : frames) images.push_back(smooth_frame(frame));
   return side_by_side(images);
@@ -87,14 +88,16 @@ class FrameWriter {
       if (video_) video_->write(read_png(picture.existing));
       return;
     }
-    const auto image = joined(picture.frames);
-    if (!path.empty()) write_png(image, path, picture.comment);
-    if (video_) video_->write(image);
+    image_ = joined(picture.frames, std::move(image_));
+    if (!path.empty()) png_.write(image_, path, picture.comment);
+    if (video_) video_->write(image_);
   }
 
   const RenderOptions& options_;
   std::size_t total_;
   std::unique_ptr<VideoFile> video_;
+  PngWriter png_;
+  Image image_;
   BoundedQueue<Picture> drawn_{kWaitingFrames};
   // Never full: no more frames are under way than wait, are being written and are being drawn.
   BoundedQueue<std::vector<DrawnFrame>> used_{kWaitingFrames + 2};

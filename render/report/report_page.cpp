@@ -6,6 +6,7 @@
 
 #include "engine/recording/summary.h"
 #include "render/report/html_text.h"
+#include "render/report/inline_svg.h"
 
 namespace netpocket {
 namespace {
@@ -26,7 +27,8 @@ constexpr const char* kStyle = R"(
   .fails { color: #a33b00; font-weight: bold; }
   .rule { color: #5a606b; font-size: 0.8rem; }
   figure { margin: 1.4rem 0; }
-  img, video { max-width: 100%; height: auto; display: block; }
+  img, svg, video { max-width: 100%; height: auto; display: block; }
+  svg { width: 900px; }
   video { border: 1px solid #d5d8de; }
   pre { background: #f5f6f8; padding: 1rem; overflow-x: auto; font: 0.8rem/1.45 "DejaVu Sans Mono", monospace; }
   summary { cursor: pointer; margin: 0.4rem 0; }
@@ -118,8 +120,7 @@ std::string findings_table(const Recordings& recordings) {
 }
 
 std::string figure_block(const std::string& name, const std::string& svg) {
-  return fmt::format("<figure id=\"{}\"><img alt=\"{}\" src=\"{}\"></figure>\n", html_text(name), html_text(name),
-                     data_url("image/svg+xml", svg));
+  return fmt::format("<figure id=\"{}\">{}</figure>\n", html_text(name), inline_svg(name, svg));
 }
 
 std::string scenario_block(const Recording& recording) {

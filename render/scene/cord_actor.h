@@ -43,7 +43,8 @@ class CordActor final : public SceneActor {
   vtkNew<vtkFloatArray> positions_;
   vtkNew<vtkUnsignedCharArray> colors_;
   vtkNew<vtkPolyData> mesh_;
-  vtkSmartPointer<vtkActor> actor_;
+  vtkNew<vtkPolyData> joint_mesh_;  // the same points
+  vtkSmartPointer<vtkActor> actor_, joints_;
 };
 
 }  // namespace netpocket

@@ -3,6 +3,7 @@
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+#include <vtkShaderProperty.h>
 
 #include "render/scene/soft_shading.h"
 
@@ -32,6 +33,15 @@ vtkSmartPointer<vtkActor> make_surface(vtkPolyData* mesh, Background background,
 vtkSmartPointer<vtkActor> make_lines(vtkPolyData* mesh, const Color& color) {
   auto actor = make_actor(mesh, color);
   actor->GetProperty()->LightingOff();
+  return actor;
+}
+
+vtkSmartPointer<vtkActor> make_dots(vtkPolyData* mesh, const Color& color) {
+  auto actor = make_lines(mesh, color);
+  // Points are squares otherwise.
+  actor->GetShaderProperty()->AddFragmentShaderReplacement(
+      "//VTK::Light::Impl", true, "  if (length(gl_PointCoord - vec2(0.5)) > 0.5) discard;\n//VTK::Light::Impl\n",
+      false);
   return actor;
 }
 

@@ -16,4 +16,7 @@ vtkSmartPointer<vtkActor> make_surface(vtkPolyData* mesh, Background background,
 // Unlit lines; colours from the mesh when it has any.
 vtkSmartPointer<vtkActor> make_lines(vtkPolyData* mesh, const Color& color = {1, 1, 1});
 
+// Unlit round points, for meshes of nothing else; colours from the mesh when it has any.
+vtkSmartPointer<vtkActor> make_dots(vtkPolyData* mesh, const Color& color = {1, 1, 1});
+
 }  // namespace netpocket

@@ -48,7 +48,7 @@ TrailActor::TrailActor(const Structure& structure, const SceneOptions& options) 
     set_points(*trail->dot, Eigen::Matrix3Xd::Zero(3, 1));
     trail->dot->SetVerts(one_cell(1));
     trail->line_actor = make_lines(trail->line, color);
-    trail->dot_actor = make_lines(trail->dot, color);
+    trail->dot_actor = make_dots(trail->dot, color);
     for (const auto& actor : {trail->line_actor, trail->dot_actor}) {
       add_depth_fading(*actor, color, kInFront);
       props_.emplace_back(actor);

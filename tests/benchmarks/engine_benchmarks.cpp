@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "engine/ancf/element_batch.h"
+#include "engine/ancf/full_batch.h"
 #include "engine/ancf/full_element.h"
 #include "engine/ancf/mean_strain_element.h"
 #include "engine/dynamics/run.h"
@@ -76,6 +77,7 @@ BENCHMARK(reference_element<MeanStrainElement>)->Name("element/reference_mean_st
 BENCHMARK(reference_element<FullElement>)->Name("element/reference_full");
 
 // Chains of elements side by side, as in a panel: neighbours share nodes.
+template <bool kFull>
 void element_batch(benchmark::State& state) {
   const auto count = static_cast<std::int32_t>(state.range(0));
   const std::int32_t nodes = count + kBlockSize, blocks = count / kBlockSize;
@@ -95,18 +97,22 @@ void element_batch(benchmark::State& state) {
     }
   }
   const ElementBatch batch(elements);
+  const FullBatch full(batch.block_count());
+  const SlotArrays q = coordinates.arrays(), v = velocities.arrays();
   AlignedVector<double> forces(static_cast<std::size_t>(batch.block_count()) * kForceRows * kBlockSize);
   for (auto _ : state) {
-    benchmark::DoNotOptimize(
-        batch.forces(0, batch.block_count(), coordinates.arrays(), velocities.arrays(), forces.data()));
+    benchmark::DoNotOptimize(kFull ? full.forces(batch, 0, batch.block_count(), q, v, forces.data())
+                                   : batch.forces(0, batch.block_count(), q, v, forces.data()));
     benchmark::ClobberMemory();
   }
   report(state, count);
   state.counters["elements"] = count;
+  if (kFull) return;
   state.counters["flops"] =
       Counter(kOperationsPerElement * count * static_cast<double>(state.iterations()), Counter::kIsRate);
 }
-BENCHMARK(element_batch)->Name("element/kernel")->Arg(1 << 10)->Arg(1 << 13)->Arg(1 << 16)->Arg(1 << 19);
+BENCHMARK(element_batch<false>)->Name("element/kernel")->Arg(1 << 10)->Arg(1 << 13)->Arg(1 << 16)->Arg(1 << 19);
+BENCHMARK(element_batch<true>)->Name("element/full_kernel")->Arg(1 << 10)->Arg(1 << 13)->Arg(1 << 16)->Arg(1 << 19);
 
 // Resident memory of this process, bytes.
 double resident_bytes() {
@@ -148,6 +154,15 @@ BENCHMARK(step)
     ->ArgsProduct({{4, 14, 18, 46, 144}, {1, 2}})
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
+
+// The same by evaluation: 0 mean-strain, 1 full.
+void step_of_evaluation(benchmark::State& state) {
+  Scenario scenario = pocket_of(6);
+  scenario.output.frame_rate = 1000;
+  if (state.range(0) == 1) scenario.solver.evaluation = Evaluation::full;
+  time_steps(state, scenario, 1);
+}
+BENCHMARK(step_of_evaluation)->Name("step/evaluation")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 
 // The same with the target out of reach: what looking for contact costs.
 void step_without_target(benchmark::State& state) {

@@ -28,7 +28,8 @@ void fuzz_scenario(std::span<const std::uint8_t> bytes) {
     }
     return;
   }
-  check_scenario(result.scenario);
+  // Looking for overlaps takes ten times as long as all the rest: some of the texts are enough for it.
+  if (bytes.size() % 16 == 0) check_scenario(result.scenario);
   const std::string written = write_scenario_text(result.scenario);
   const ScenarioResult again = read_scenario_text(written, "written.toml");
   require(again.ok(), "what was written cannot be read");

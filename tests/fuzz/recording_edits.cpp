@@ -161,7 +161,9 @@ void change_row_count(hid_t file, Source& source) {
   const hid_t space = H5Dget_space(table);
   hsize_t size[3] = {};
   H5Sget_simple_extent_dims(space, size, nullptr);
-  size[0] = source.take<std::uint32_t>();
+  // More rows take HDF5 and the reader a second, which finds nothing that fewer do not.
+  constexpr hsize_t kMostRows = 1 << 13;
+  size[0] = source.take<std::uint32_t>() % kMostRows;
   H5Dset_extent(table, size);
   H5Sclose(space);
   H5Dclose(table);

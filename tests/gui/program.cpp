@@ -5,6 +5,7 @@
 #include <signal.h>
 #include <spawn.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -77,9 +78,11 @@ void RunningProgram::signal(int number) const { kill(process_, number); }
 
 ProgramResult RunningProgram::wait() {
   int status = 0;
-  EXPECT_EQ(waitpid(process_, &status, 0), process_);
+  rusage usage = {};
+  EXPECT_EQ(wait4(process_, &status, 0, &usage), process_);
   process_ = -1;
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), content(out_), content(error_)};
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), content(out_), content(error_),
+          usage.ru_maxrss};
 }
 
 ProgramResult run_program(const std::vector<std::string>& arguments) { return RunningProgram(arguments).wait(); }

@@ -10,9 +10,10 @@
 namespace netpocket {
 
 struct ProgramResult {
-  int exit_code = -1;  // 128 + signal when a signal ended it
-  std::string out;     // standard output
-  std::string error;   // standard error
+  int exit_code = -1;    // 128 + signal when a signal ended it
+  std::string out;       // standard output
+  std::string error;     // standard error
+  long peak_memory = 0;  // largest resident set, kB
 };
 
 // A program that is running; at most one result may be waited for.

@@ -48,6 +48,12 @@ class Draw {
     return which == 0 ? lowest : which == 1 ? highest : uniform(lowest, highest);
   }
 
+  // Over all that densities may be, kg/m^3.
+  double density() {
+    const int which = whole(0, 5);
+    return which == 0 ? 1e-6 : which == 1 ? 1e6 : logarithmic(1e-6, 1e6);
+  }
+
   void draw_pocket(Scenario& s) {
     s.pocket.rod_count = whole(3, 10);
     s.pocket.mesh_columns = whole(1, 3);
@@ -58,10 +64,10 @@ class Draw {
   }
 
   // Waves of 100 to 3000 m/s, as far as the modulus allows: faster ones take steps too short for trials.
-  void draw_material(double& density, double& modulus) {
-    density = logarithmic(1e-6, 1e6);
+  void draw_material(double& drawn_density, double& modulus) {
+    drawn_density = density();
     const double speed = logarithmic(100, 3000);
-    modulus = std::clamp(density * speed * speed, 1e3, 1e13);
+    modulus = std::clamp(drawn_density * speed * speed, 1e3, 1e13);
   }
 
   void draw_cord(CordParameters& cord) {
@@ -82,7 +88,7 @@ class Draw {
                                                        : Shape(Cylinder{t.radius, t.length});
     // Of evenly filled bodies; the mass of a density of 1e-6 to 1e6 kg/m^3, as far as masses may be.
     const double volume = 4 * std::pow(bounding_radius(shape), 3);
-    t.mass = std::clamp(logarithmic(1e-6, 1e6) * volume, 1e-3, 1e7);
+    t.mass = std::clamp(density() * volume, 1e-3, 1e7);
     t.inertia = solid_inertia(shape, t.mass).diagonal().cwiseMax(1e-6).cwiseMin(1e10);
     t.position = {uniform(-3, 3), uniform(4, 14), uniform(-3, 3)};
     t.attitude = direction() * uniform(0, 3);

@@ -83,6 +83,19 @@ TEST_P(VerificationFullElement, CollapseIsBounded) {
   EXPECT_GT(force_at(1e-6, 1e-9), 1e6);
 }
 
+TEST_P(VerificationFullElement, GatheredMaterialIsNoHinge) {
+  // r' = 0 everywhere and r'' = B/L: what is left is n (n+1)/2 A0^(1-n) B.B, not |r' x r''|^2 = 0.
+  const CableSection beam{.EA = 0, .EI = 1};
+  const double size = 1e-9, stretch = 0.9;
+  ElementCoordinates q = ElementCoordinates::Zero();
+  q.col(1).y() = size;
+  q.col(3).y() = -size;
+  const double linear = 0.5 * (2 * size / kLength) * (2 * size / kLength) * kLength;  // EI/2 int r''.r'' dp
+  const double expected = GetParam() == StrainMeasure::green ? 6 / std::pow(stretch, 4) : 3 / std::pow(stretch, 2);
+  expect_value("bending energy of gathered material / EI/2 int r''.r'' dp",
+               element(beam, stretch).bending_energy(q) / linear, expected, 1e-9, "full_element.h at A = 0");
+}
+
 TEST_P(VerificationFullElement, RigidMotionMakesNoForce) {
   const CableSection section = net_cord();
   const FullElement cable = element(section);

@@ -1,4 +1,4 @@
-// A slack cord that carries no compression, with the full evaluation: pushed together, its r' collapses.
+// A slack cord that carries no compression, with the full evaluation, pushed together.
 
 #include <vector>
 
@@ -61,29 +61,41 @@ class FreeCord {
   Masses masses_;
 };
 
-// Largest change of the undamped cord's energy in 0.33 s, as a fraction; its ends would have met after 0.5 s.
-double energy_error(double smallest_stretch) {
+// Change of the undamped cord's energy in 0.33 s, as a fraction: largest, and mean over the last third. Its ends would
+// have met after 0.5 s.
+struct EnergyError {
+  double largest = 0, drift = 0;
+};
+
+EnergyError energy_error(double smallest_stretch) {
   CableSection section = net_cord();
   section.compression = section.axial_damping = section.bending_damping = 0;
   RandomStates random;
   FreeCord cord(section, smallest_stretch, random);
   const double start = cord.energy();
-  double worst = 0;
+  EnergyError error;
   // The step is a twentieth of the travel time of an axial wave through an element.
-  for (int i = 0; i < 220000; ++i) {
+  constexpr int kSteps = 220000, kInterval = 1000, kLast = 2 * kSteps / 3;
+  for (int i = 0; i < kSteps; ++i) {
     cord.step(1.5e-6);
-    if (i % 1000 == 0) worst = std::max(worst, std::abs(cord.energy() / start - 1));
+    if (i % kInterval != 0) continue;
+    const double change = cord.energy() / start - 1;
+    error.largest = std::max(error.largest, std::abs(change));
+    if (i > kLast) error.drift += change * kInterval / (kSteps - kLast);
   }
-  return worst;
+  return error;
 }
 
 TEST_F(VerificationSlackCord, ContinuedCurvatureKeepsTheEnergy) {
-  // Symplectic stepping: the energy oscillates with dt times the highest frequency in motion, and does not drift.
-  expect_error_below("slack tension-only cord: energy", energy_error(FullElementOptions().smallest_stretch), 2e-3);
+  // Symplectic stepping: the energy swings with dt times force and speed when parts of the cord snap taut, and does not
+  // drift.
+  const EnergyError error = energy_error(FullElementOptions().smallest_stretch);
+  expect_error_below("slack tension-only cord: energy, largest change", error.largest, 2e-2);
+  expect_error_below("slack tension-only cord: energy, mean change at the end", std::abs(error.drift), 2e-3);
 }
 
 TEST_F(VerificationSlackCord, SingularCurvatureDoesNot) {
-  const double error = energy_error(1e-6);
+  const double error = energy_error(1e-6).largest;
   std::printf("  slack tension-only cord, exact curvature: energy error %.1e\n", error);
   EXPECT_GT(error, 1);
 }

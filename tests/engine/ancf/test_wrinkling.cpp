@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "element_checks.h"
+#include "engine/ancf/inflated_element.h"
 #include "engine/ancf/wrinkling.h"
 
 namespace netpocket {
@@ -65,6 +66,32 @@ TEST_F(VerificationWrinkling, MomentIsTheSlopeOfTheEnergy) {
   }
   expect_error_below("slope of the energy / moment - 1", error, 1e-7);
   expect_error_below("jump where the formulas change", jump, 1e-8);
+}
+
+TEST_F(VerificationWrinkling, ElementsForceIsTheGradientOfItsEnergy) {
+  const InflatedSection section{.EI = 3, .moment = 0.4};
+  const double length = 0.7;
+  RandomStates random;
+  double mean = 0, full = 0;
+  for (int i = 0; i < 50; ++i) {
+    const ElementCoordinates q = random.deformed(length, 0.3);
+    const auto worst = [&](double& error, auto softening) {
+      const auto energy = [&](const ElementCoordinates& x) {
+        const auto softer = softening(section, length, x);
+        return softer ? softer->energy : 0;
+      };
+      const auto softer = softening(section, length, q);
+      ASSERT_TRUE(softer);
+      EXPECT_LT(softer->energy, 0);
+      const ElementCoordinates gradient = numerical_gradient(energy, q, length, 1e-4);
+      error = std::max(error, relative_error(ElementCoordinates(-softer->force), gradient));
+    };
+    worst(mean, mean_strain_softening);
+    worst(full, full_softening);
+  }
+  // The third derivative of the energy jumps where wrinkling begins.
+  expect_error_below("wrinkled element, mean-strain: force against differences of the energy", mean, 1e-6);
+  expect_error_below("wrinkled element, full: force against differences of the energy", full, 1e-6);
 }
 
 }  // namespace

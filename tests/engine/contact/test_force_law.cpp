@@ -151,6 +151,7 @@ TEST_F(VerificationForceLaw, UndampedImpactIsThatOfHertz) {
     const double duration = hertz_duration(kStiffness, kMass, speed);
     const ImpactRecord record = collide(force, kMass, speed, duration / 20000);
     const double deepest = 1.093362 * std::pow(kMass * speed * speed / kStiffness, 0.4);
+    EXPECT_NEAR(depth_of_impact(kMass, kStiffness, speed) / deepest, 1, 1e-6);
     const std::string at = " at " + std::to_string(speed).substr(0, 4) + " m/s";
     expect_relative("undamped impact: deepest penetration, m," + at, record.largest_penetration, deepest, 1e-6,
                     "1.093362 (m v^2/K)^0.4, Hertz (verification case V5); seven digits of the constant");

@@ -3,7 +3,9 @@
 #include <numbers>
 
 #include "engine/ancf/mass.h"
+#include "engine/ancf/variable_length.h"
 #include "engine/dynamics/consistent_mass.h"
+#include "engine/dynamics/rope_dynamics.h"
 
 namespace netpocket::test {
 
@@ -111,16 +113,26 @@ Momentum step_and_measure_momentum(CableSystem& system, double dt, ElementEvalua
                                 : (now.gradient[i] - before.gradient[i]) / dt;
   }
 
-  // Masses of the step are those at its start.
+  // Masses of the step, and the momentum of the material that flows past the ropes' nodes, are those at its start.
   std::vector<double> length;
   for (const ModelElement& element : model.elements) length.push_back(element.length);
   Momentum sum;
   const auto add_node = [&](std::int32_t node, double mass) { add(sum, now.node[node], mass * rate.node[node], true); };
   for (std::size_t r = 0; r < model.ropes.size(); ++r) {
     const VariableRope& rope = model.ropes[r];
-    for (const std::int32_t element : rope.elements) length[element] = rope_element_length(model, r, time);
-    const double wound = model.material_of(rope.elements.front()).section.mass_per_length *
-                         (rope.motion(0).length - rope.motion(time).length);
+    const double mass_per_length = model.material_of(rope.elements.front()).section.mass_per_length;
+    for (std::size_t i = 0; i < rope.elements.size(); ++i) {
+      const ModelElement& e = model.elements[rope.elements[i]];
+      length[rope.elements[i]] = rope_element_length(model, r, time);
+      ElementCoordinates q = ElementCoordinates::Zero();
+      q.col(0) = before.node[e.node1];
+      q.col(2) = before.node[e.node2];
+      const ElementCoordinates flow =
+          flow_momentum(mass_per_length, rope_span(rope.motion(time), rope.share_at_start, i, rope.elements.size()), q);
+      add(sum, now.node[e.node1], flow.col(0), true);
+      add(sum, now.node[e.node2], flow.col(2), true);
+    }
+    const double wound = mass_per_length * (rope.motion(0).length - rope.motion(time).length);
     add_node(model.elements[rope.elements.front()].node1, rope.share_at_start * wound);
     add_node(model.elements[rope.elements.back()].node2, (1 - rope.share_at_start) * wound);
   }

@@ -1,5 +1,7 @@
 // A recording survives the death of its program and a full disk.
 #include <gtest/gtest.h>
+#include <sched.h>
+#include <sys/mount.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -130,6 +132,49 @@ TEST(Crash, FullDiskKeepsTheFramesBefore) {
   EXPECT_NO_THROW(recording.frame(recording.frame_count() - 1));
   EXPECT_EQ(recording.status().reason, RunReason::storage_failed);
   EXPECT_NE(recording.status().message.find("size limit"), std::string::npos) << recording.status().message;
+}
+
+// A disk of its own, seen by this process alone; false where the system does not allow it.
+bool mount_small_disk(const std::string& folder) {
+  if (unshare(CLONE_NEWNS | (geteuid() == 0 ? 0 : CLONE_NEWUSER)) != 0) return false;
+  if (mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0) return false;
+  return mount("none", folder.c_str(), "tmpfs", 0, "size=48m") == 0;
+}
+
+constexpr int kNoDisk = 77;
+
+// As the process sees it that fills the disk: 0 is success, kNoDisk that there is none, else a line.
+int fill_a_disk(const std::string& folder) {
+  if (!mount_small_disk(folder)) return kNoDisk;
+  const std::string path = folder + "/run.h5";
+  const Structure structure = synthetic_structure(2000);
+  const Snapshot frame = synthetic_frame(structure, 0);
+  std::size_t written = 0;
+  {
+    Recorder recorder(path, synthetic_origin(), structure, false);
+    try {
+      for (; written < 10000; ++written) recorder.write(frame);
+      return __LINE__;
+    } catch (const RecordingError& error) {
+      recorder.finish({RunReason::storage_failed, frame.time, error.what()}, {});
+    }
+  }
+  const Recording recording(path);
+  if (recording.frame_count() != written || written < 10) return __LINE__;
+  recording.frame(written - 1);
+  if (recording.status().reason != RunReason::storage_failed) return __LINE__;
+  return recording.status().message.find("the disk is full") != std::string::npos ? 0 : __LINE__;
+}
+
+TEST(Crash, RealFullDiskKeepsEveryFrame) {
+  const TemporaryFolder folder;
+  const pid_t child = fork();
+  if (child == 0) _exit(fill_a_disk(folder.path().string()));
+  int status = 0;
+  waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFEXITED(status));
+  if (WEXITSTATUS(status) == kNoDisk) GTEST_SKIP() << "this system lets nobody mount a small disk";
+  EXPECT_EQ(WEXITSTATUS(status), 0) << "line of this file";
 }
 
 }  // namespace

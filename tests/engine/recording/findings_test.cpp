@@ -16,6 +16,8 @@ namespace {
 constexpr double kTowingStart = 10;
 constexpr double kEnd = 20;
 constexpr double kInterval = 0.1;
+constexpr Channel kContactChannels[] = {Channel::contact_fx, Channel::contact_fy, Channel::contact_fz,
+                                        Channel::contact_count};
 
 // The paper's story for a closing that ends at `closed`.
 Snapshot story(double t, double closed) {
@@ -37,6 +39,7 @@ Snapshot story(double t, double closed) {
   const double sway = towing ? std::sin(t - kTowingStart) : 0;
   s.channel(Channel::contact_fy) = fy;
   s.channel(Channel::contact_fx) = towing ? 3 : 0;
+  s.channel(Channel::contact_fz) = towing ? -2 : 0;
   s.channel(Channel::contact_count) = fy != 0 ? 4 : 0;
   s.channel(Channel::target_x) = 1e-3 * sway;
   s.channel(Channel::target_y) = 7.5 + moved + towed;
@@ -129,7 +132,8 @@ std::vector<Departure> departures() {
        [](Snapshot& s, double closed) { s.channel(Channel::contact_fy) *= closed * closed; }},
       {"ContactAtTheSameTime", "F4", set(Channel::contact_count, 1, 1.1, 1)},
       {"LateralForceBeforeClosed", "F5", set(Channel::contact_fx, 4, 4.1, 5)},
-      {"NoLateralForce", "F5", scale(Channel::contact_fx, 0)},
+      {"NoForceInX", "F5", scale(Channel::contact_fx, 0)},
+      {"NoForceInZ", "F5", scale(Channel::contact_fz, 0)},
       {"LateralForceDependsOnClosing", "F5",
        [](Snapshot& s, double closed) { s.channel(Channel::contact_fx) *= closed < 6 ? 2.5 : 1; }},
       {"ForcesInTheOtherOrder", "F6", scale(Channel::contact_fy, -1)},
@@ -140,12 +144,16 @@ std::vector<Departure> departures() {
       {"TargetMovesBeforeContact", "F7", set(Channel::target_y, 1, 2, 7.502)},
       {"SpacecraftMovesBeforeContact", "F7", set(Channel::spacecraft_y, 1, 2, -1.02)},
       {"TargetMovesFar", "F7", set(Channel::target_y, 6, 6.1, 7.65)},
+      {"SpacecraftMovesLessThanBeforeContact", "F7",
+       [](Snapshot& s, double) {
+         if (s.time > 1 && s.time <= 10) s.channel(Channel::spacecraft_y) = s.time < 7 ? -1.005 : -1.006;
+       }},
       {"NothingMoves", "F7", set(Channel::spacecraft_y, 0, 10, -1)},
       {"TowingForcesStayLarge", "F8", set(Channel::contact_fy, 12, 12.1, 25)},
       {"ContactLostInTowing", "F8",
        [](Snapshot& s, double) {
          if (s.time < 12) return;
-         for (const Channel c : {Channel::contact_fx, Channel::contact_fy, Channel::contact_count}) s.channel(c) = 0;
+         for (const Channel c : kContactChannels) s.channel(c) = 0;
        }},
       {"TargetStaysBehind", "F9", set(Channel::target_y, 10, 20, 7.5)},
       {"LateralMotionIsLarge", "F10", scale(Channel::target_x, 30)},
@@ -185,7 +193,7 @@ TEST(Findings, SayWhatARunLacks) {
     EXPECT_FALSE(cut.found(id).holds) << id;
   }
   const StoryRuns untouched([](Snapshot& s, double) {
-    for (const Channel c : {Channel::contact_fx, Channel::contact_fy, Channel::contact_count}) s.channel(c) = 0;
+    for (const Channel c : kContactChannels) s.channel(c) = 0;
   });
   for (const char* id : {"F1", "F2", "F3", "F4", "F5", "F6", "F7", "F8"}) EXPECT_FALSE(untouched.found(id).holds) << id;
 }

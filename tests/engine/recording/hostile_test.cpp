@@ -161,6 +161,28 @@ TEST(Hostile, LinksOutOfTheFile) {
   EXPECT_EQ(linked.reason(), "/frames/channels is missing");
 }
 
+// Nor are data read that a table keeps in another file, raw or as a table there.
+TEST(Hostile, TablesInOtherFiles) {
+  const auto replaced = [](const std::function<void(hid_t properties, hid_t space)>& describe) {
+    return Tampered([&](hid_t file) {
+             const hsize_t size[] = {5};
+             const hid_t properties = H5Pcreate(H5P_DATASET_CREATE), space = H5Screate_simple(1, size, nullptr);
+             describe(properties, space);
+             H5Ldelete(file, "/frames/step", H5P_DEFAULT);
+             H5Dclose(H5Dcreate2(file, "/frames/step", H5T_NATIVE_INT64, space, H5P_DEFAULT, properties, H5P_DEFAULT));
+             H5Sclose(space);
+             H5Pclose(properties);
+           })
+        .reason();
+  };
+  EXPECT_EQ(replaced([](hid_t properties, hid_t) { H5Pset_external(properties, "/etc/passwd", 0, 40); }),
+            "/frames/step is not stored in chunks");
+  EXPECT_EQ(replaced([](hid_t properties, hid_t space) {
+              H5Pset_virtual(properties, space, "/tmp/other.h5", "/frames/step", space);
+            }),
+            "/frames/step is not stored in chunks");
+}
+
 TEST(Hostile, TruncatedFiles) {
   const TemporaryFolder folder;
   const std::string path = folder.file("run.h5");

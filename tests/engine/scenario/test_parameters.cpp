@@ -97,8 +97,8 @@ TEST(ParameterTable, DeclaresEveryMember) {
     EXPECT_EQ(count("closing"), 6u);
   }
   {
-    [[maybe_unused]] const auto& [a, b, c, e, f] = towing;
-    EXPECT_EQ(count("towing"), 5u);
+    [[maybe_unused]] const auto& [a, b, c, e, f, g] = towing;
+    EXPECT_EQ(count("towing"), 6u);
   }
   {
     [[maybe_unused]] const auto& [a, b, c, e, f, g, h] = solver;

@@ -1,8 +1,10 @@
 // What a person gets to read who mistypes, and that nothing in a file does harm.
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -126,6 +128,7 @@ TEST(ReadScenario, HostileTextGivesOneShortSentence) {
       "a = " + std::string(kLarge, '['),
       "a = " + std::string(kLarge / 2, '[') + std::string(kLarge / 2, ']'),
       std::string(kLarge, 'k') + " = 1",
+      std::string(kLarge / 2 - 10, 'k') + " = 1\n" + std::string(kLarge / 2 - 10, 'k') + " = 1",
       "name = \"" + std::string(kLarge, 'x') + "\"",
       "target.shape = \"" + std::string(kLarge, 'x') + "\"",
       "net.diameter = " + std::string(kLarge, '9'),
@@ -184,6 +187,10 @@ TEST(ReadScenario, ControlCharactersDoNotReachTheTerminal) {
   const std::string text = problems("name = 1\n\"\\u001b[31m\\n\" = 1\ntarget.shape = \"\\u001b]0;x\\u0007\"");
   EXPECT_EQ(text.find('\x1b'), std::string::npos) << text;
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2) << text;
+  // The parser's own messages repeat the file too.
+  const std::string unfinished = problems("\"\"a\x1b[31m\"\n\"\"\"\n");
+  EXPECT_EQ(std::count_if(unfinished.begin(), unfinished.end(), [](char c) { return std::iscntrl(c) != 0; }), 0)
+      << unfinished;
 }
 
 TEST(ReadScenarioFile, MissingFilesAndFoldersGetOneSentence) {
@@ -196,6 +203,25 @@ TEST(ReadScenarioFile, MissingFilesAndFoldersGetOneSentence) {
 TEST(ReadScenarioFile, EndlessDevicesAreRefused) {
   EXPECT_EQ(read_scenario_file("/dev/zero").diagnostics.text(),
             "/dev/zero: is larger than 1000000 bytes, the limit for a scenario");
+}
+
+// The largest amount of memory that this program has had, bytes.
+double peak_memory() {
+  rusage usage = {};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024.0 * static_cast<double>(usage.ru_maxrss);
+}
+
+// Of a file with a single line of 1 GB only as much is read as a scenario may hold.
+TEST(ReadScenarioFile, AnEndlessLineCostsNoMemory) {
+  const auto path = std::filesystem::path(testing::TempDir()) / "netpocket_long_line.toml";
+  std::ofstream(path) << "name = \"";
+  std::filesystem::resize_file(path, 1000000000);  // zeros, which take no room on the disk
+  const double before = peak_memory();
+  EXPECT_EQ(read_scenario_file(path).diagnostics.text(),
+            path.string() + ": is larger than 1000000 bytes, the limit for a scenario");
+  EXPECT_LT(peak_memory() - before, 20e6);
+  std::filesystem::remove(path);
 }
 
 TEST(ReadScenarioFile, TheNameDefaultsToThatOfTheFile) {

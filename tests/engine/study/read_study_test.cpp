@@ -34,6 +34,10 @@ name = "slow"
 closing.duration = 10
 [remarks]
 F5 = "why"
+[report]
+of = "search"
+best = 3
+show = ["F5", "F10"]
 )");
   ASSERT_TRUE(result.ok()) << result.diagnostics.text();
   const Study& study = result.study;
@@ -56,6 +60,9 @@ F5 = "why"
   ASSERT_EQ(study.variants.size(), 1u);
   EXPECT_EQ(study.variants[0].settings[0], (Setting{"closing.duration", "10"}));
   EXPECT_EQ(study.remarks.at("F5"), "why");
+  EXPECT_TRUE(study.report.of_search);
+  EXPECT_EQ(study.report.best, 3);
+  EXPECT_EQ(study.report.show, (std::vector<std::string>{"F5", "F10"}));
 }
 
 TEST(ReadStudy, SaysWhatIsWrong) {
@@ -65,6 +72,8 @@ TEST(ReadStudy, SaysWhatIsWrong) {
   } cases[] = {
       {"[vary]\ntarget.radios = [4]", "study.toml:3: \"target.radios\" is not a parameter; did you mean"},
       {"[vary]\ntarget.radius = [4, \"five\"]", "study.toml:3: target.radius: expects a number in m"},
+      {"[report]\nof = \"all\"", "study.toml:3: report.of: expects \"findings\" or \"search\""},
+      {"[report]\nshow = [5]", "study.toml:3: report.show: expects a list of findings"},
       {"[vary]\ntarget.radius = []", "target.radius: has no values"},
       {"[vary]\ntarget.radius = 4", "expects a list of values or { from = ..."},
       {"[vary]\ntarget.radius = { from = 4 }", "needs the number 'to'"},

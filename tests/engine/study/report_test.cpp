@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/study/findings_report.h"
+#include "engine/study/search_report.h"
 #include "tests/engine/study/study_folder.h"
 
 namespace netpocket {
@@ -20,9 +21,14 @@ Json finding(const std::string& id, bool first_holds, bool second_holds) {
 }
 
 StudyRecord record(int point, const std::string& place, const Json& findings) {
-  const Json run = {{"variant", "slow"}, {"peak_force", {{"y", -12.5}}}, {"first_contact_time", nullptr}};
-  return {{"point", point}, {"place", place}, {"settings", {{"target.radius", "4"}}},
-          {"refused", ""},  {"runs", {run}},  {"findings", findings}};
+  const Json run = {
+      {"variant", "slow"}, {"reason", "finished"}, {"peak_force", {{"y", -12.5}}}, {"first_contact_time", nullptr}};
+  return {{"point", point},
+          {"place", place},
+          {"settings", {{"target.radius", "4"}}},
+          {"refused", ""},
+          {"runs", Json::array({run})},
+          {"findings", findings}};
 }
 
 TEST(FindingsReport, TellsValuesRobustnessAndRemarks) {
@@ -52,6 +58,37 @@ TEST(FindingsReport, NeedsItsFirstPoint) {
   StudyRecord refused = record(1, "default", Json::array());
   refused["runs"] = Json::array();
   EXPECT_TRUE(contains(findings_report(study, {refused}), "The first point was not run."));
+}
+
+TEST(SearchReport, RanksPointsAndShowsValues) {
+  Study study;
+  study.name = "A search";
+  study.description = "Over radii.";
+  study.places = {{}};
+  study.variants = {{}};
+  study.report = {.of_search = true, .best = 2, .show = {"F2"}};
+  const Json yes = finding("F1", true, true), no = finding("F1", true, false);
+  StudyRecord refused = record(4, "", Json::array());
+  refused["runs"] = Json::array();
+  StudyRecord large = record(3, "", {yes, finding("F2", true, true)});
+  large["settings"]["target.radius"] = "5";
+  const std::string text = study_report(study, {record(1, "", {no, finding("F2", false, false)}),
+                                                record(2, "", {yes, finding("F2", true, false)}), large, refused});
+  EXPECT_TRUE(contains(text, "## A search\n\nOver radii.\n")) << text;
+  EXPECT_TRUE(contains(text, "4 points, 1 of them refused as not valid. In all cases hold F1 at 2, F2 at 1.")) << text;
+  EXPECT_TRUE(contains(text, "| point | `target.radius` | findings that hold in all cases | F2 |")) << text;
+  const auto best = text.find("| point 3 | 5 | 2: F1 F2 | slow: yes, 1 N<br>fast: yes, 2 N |");
+  const auto second = text.find("| point 2 | 4 | 1: F1 | slow: yes, 1 N<br>fast: no, 2 N |");
+  EXPECT_NE(best, text.npos) << text;
+  EXPECT_NE(second, text.npos) << text;
+  EXPECT_LT(best, second);
+  EXPECT_FALSE(contains(text, "point 1 ")) << text;
+}
+
+TEST(SearchReport, TellsWhenNothingWasRun) {
+  Study study;
+  study.report.of_search = true;
+  EXPECT_TRUE(contains(study_report(study, {}), "No point was run."));
 }
 
 TEST(FindingsReport, IdentityFollowsScenarios) {

@@ -74,7 +74,24 @@ TEST_F(FigureFile, SvgHasAPathForEveryCurve) {
   EXPECT_TRUE(svg.starts_with("<?xml"));
   EXPECT_EQ(count(svg, "stroke:rgb(100%,0%,0%)"), 2u);
   EXPECT_EQ(count(svg, "<image"), 0u) << "curves must be vectors";
-  EXPECT_GT(count(svg, "<use xlink:href=\"#glyph"), 10u);
+}
+
+TEST_F(FigureFile, SvgTextIsText) {
+  Figure figure = simple_figure();
+  figure.title = "*F*_{y} < 5 & more";
+  figure.panels[0].y.title = "upwards";
+  figure.panels[0].curves[0].label = "first curve";
+  save_figure(figure, directory_ / "line.svg");
+  const std::string svg = read("line.svg");
+  EXPECT_EQ(count(svg, "glyph"), 0u) << "no outlines of letters";
+  EXPECT_EQ(count(svg, "<tspan font-style=\"italic\">F</tspan>"), 1u);
+  EXPECT_EQ(count(svg, ">y</tspan>"), 1u);
+  EXPECT_EQ(count(svg, " &lt; 5 &amp; more"), 1u);
+  EXPECT_EQ(count(svg, ">first curve</text>"), 1u);
+  EXPECT_EQ(count(svg, ">upwards</text>"), 1u);
+  EXPECT_NE(svg.find("transform=\"matrix(", svg.rfind("<text", svg.find(">upwards"))), std::string::npos);
+  EXPECT_EQ(count(svg, ">2</text>"), 1u) << "values on the axis";
+  EXPECT_TRUE(svg.ends_with("</svg>\n"));
 }
 
 TEST_F(FigureFile, PdfStartsWithItsSignature) {
