@@ -276,8 +276,8 @@ void CableSystem::visit_state(const std::function<void(double&)>& visit) {
   }
   for (Eigen::Vector3d& impulse : s.impulses) visit_vector(impulse);
   double steps = static_cast<double>(s.steps);
-  for (double* value : {&s.time, &s.last_dt, &steps, &s.input_work, &s.dissipated, &s.initial_energy,
-                        &s.initial_input, &s.deepest_penetration}) {
+  for (double* value : {&s.time, &s.last_dt, &steps, &s.input_work, &s.dissipated, &s.initial_energy, &s.initial_input,
+                        &s.deepest_penetration}) {
     visit(*value);
   }
   s.ropes.visit_state(visit);
