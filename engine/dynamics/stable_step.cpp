@@ -193,7 +193,8 @@ StableStep find_stable_step_of_full_elements(const Model& model, std::span<const
   for (std::size_t i = 0; i < elements.size(); ++i) {
     ElementCoordinates q;
     for (int corner = 0; corner < 4; ++corner) q.col(corner) = coordinates.get(elements[i].slot[corner]);
-    const CableSection& section = elements[i].section;
+    CableSection section = elements[i].section;
+    section.compression = 1;  // what is slack now may be taut later
     Eigen::Matrix4d mass = consistent_mass(section.mass_per_length, elements[i].length);
     if (lumped[i] != 0) mass = lumped_mass(section.mass_per_length, elements[i].length).asDiagonal();
     const double step = stable_step_of_element<FullElement>(section, elements[i].length, mass, q);

@@ -121,6 +121,21 @@ TEST_F(VerificationConsistency, EvaluationsOfARodConverge) {
       });
 }
 
+TEST_F(VerificationConsistency, StepOfASlackCordIsThatOfATautOne) {
+  // A tension-only cord that is slack at the start has no axial stiffness then, but will have it.
+  CableMaterial cord = net_cord();
+  cord.section.compression = 0;
+  for (const ElementEvaluation evaluation : {ElementEvaluation::mean_strain, ElementEvaluation::full}) {
+    const auto step = [&](double stretch) {
+      Model model = straight_cable(cord, {0, 0, 0}, {1, 0, 0}, 4).model;
+      for (ModelNode& node : model.nodes) node.position *= stretch;
+      for (ModelGradient& gradient : model.gradients) gradient.value *= stretch;
+      return CableSystem(model, {.evaluation = evaluation}).stable_step().step;
+    };
+    EXPECT_NEAR(step(0.999) / step(1.001), 1, 0.02);
+  }
+}
+
 TEST_F(VerificationConsistency, SlackTensionOnlyNetComesToRest) {
   // The paper's net cord without any stiffness in compression, its corners 15 % nearer than the threads are long.
   CableMaterial cord = net_cord();
