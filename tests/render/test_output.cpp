@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 
@@ -50,6 +51,27 @@ TEST(Png, RoundTrip) {
   EXPECT_EQ(read.width, 123);
   EXPECT_EQ(read.height, 77);
   EXPECT_EQ(read.rgb, image.rgb);
+}
+
+// Noise does not compress: more bytes than are compressed at a time, which a smaller picture after it must not keep.
+TEST(Png, OneWriterWritesPicturesOfAnySize) {
+  Image noise{900, 700, {}};
+  std::uint32_t state = 1;
+  const auto next = [&] { return static_cast<std::uint8_t>((state = 1664525 * state + 1013904223) >> 24); };
+  noise.rgb.resize(noise.row_bytes() * 700);
+  std::ranges::generate(noise.rgb, next);
+  Image clear = noise;
+  clear.alpha.resize(900 * 700);
+  std::ranges::generate(clear.alpha, next);
+  PngWriter writer;
+  const auto file = pictures::folder("png") + "/any.png";
+  for (const auto& image : {noise, clear, gradient(5, 3), noise}) {
+    writer.write(image, file, "a comment");
+    const auto read = read_png(file);
+    EXPECT_EQ(read.width, image.width);
+    EXPECT_TRUE(read.rgb == image.rgb && read.alpha == image.alpha) << image.width;
+    EXPECT_EQ(png_comment(file), "a comment");
+  }
 }
 
 TEST(Png, LeavesNothingBehindWhenItCannotWrite) {
