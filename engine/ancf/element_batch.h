@@ -81,7 +81,9 @@ struct BatchPower {
 // Forces of one element on its coordinates, by block: nine rows of eight lanes. The force on r2 is minus that on r1.
 inline constexpr int kForceRows = 9;  // r1 x y z, g1 x y z, g2 x y z
 // State of one element, by block: rows of eight lanes.
-inline constexpr int kStateRows = 3;  // axial strain, its rate (1/s), bending energy (J)
+// Axial strain, its rate (1/s), bending energy (J), what bends add to the stiffness of stretching
+// (stable_step_as_bent).
+inline constexpr int kStateRows = 4;
 enum class Corner : std::uint8_t { position1 = 0, gradient1 = 1, position2 = 2, gradient2 = 3 };
 
 class ElementBatch {

@@ -122,6 +122,16 @@ NETPOCKET_INLINE void block_forces(const BatchView& batch, const ElementBlock* b
   }
 }
 
+NETPOCKET_INLINE const ElementBlock& mate_of(const BatchView& batch, const ElementBlock& block) {
+  if (block.pairing == Pairing::elsewhere) return batch.mates[block.mates];
+  return block.pairing == Pairing::first ? *(&block + 1) : *(&block - 1);
+}
+
+NETPOCKET_INLINE Lanes3 chord_of(const ElementBlock& block, int part, const SlotArrays& coordinates) {
+  return load(block.inverse_length, part) *
+         (load_slot(coordinates, block, 2, part) - load_slot(coordinates, block, 0, part));
+}
+
 }  // namespace
 
 BatchPower element_forces(const BatchView& batch, int first, int last, const SlotArrays& coordinates,
@@ -160,6 +170,12 @@ void element_states(const BatchView& batch, int first, int last, const SlotArray
       store(out, part, k.strain);
       store(out + kBlock, part, k.strain_rate);
       store(out + 2 * kBlock, part, broadcast(0.5) * (stiffness * (k.s_square + broadcast(3.0) * k.a_square)));
+      Lanes bends = broadcast(78.0 / 1800) * (broadcast(25.0) * k.s_square + broadcast(9.0) * k.a_square);
+      if (block.pairing != Pairing::none) {
+        const Lanes3 fold = k.e - chord_of(mate_of(batch, block), part, coordinates);
+        bends = bends + broadcast(0.5) * dot(fold, fold);
+      }
+      store(out + 3 * kBlock, part, bends);
     }
   }
 }

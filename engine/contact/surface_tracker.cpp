@@ -18,17 +18,20 @@ SurfaceTracker::SurfaceTracker(const Shape& shape, std::size_t point_count)
   if (mesh_) memories_.resize(point_count);
 }
 
-std::optional<SurfacePoint> SurfaceTracker::nearest(std::size_t index, const Eigen::Vector3d& point, double reach) {
+std::optional<SurfacePoint> SurfaceTracker::nearest(std::size_t index, const Eigen::Vector3d& point, double reach,
+                                                    double& clearance) {
   SurfacePoint found;
   if (mesh_) {
     Memory& memory = memories_[index];
     const double moved = (point - memory.place).norm();
-    if (memory.distance - moved > reach + kSlack) return std::nullopt;
+    clearance = memory.distance - moved;
+    if (clearance > reach + kSlack) return std::nullopt;
     found = moved <= memory.radius ? mesh_->nearest_among(point, {memory.candidates.data(), memory.count})
                                    : search(memory, point, reach);
   } else {
     found = nearest_surface_point(shape_, point);
   }
+  clearance = found.distance;
   return found.distance < reach ? std::optional(found) : std::nullopt;
 }
 

@@ -25,8 +25,8 @@ class SurfaceTracker {
   SurfaceTracker(const Shape& shape, std::size_t point_count);
 
   // Nearest surface point of the point `index`, now at `point` (m, body axes); nothing if it is `reach` (m, >= 0) or
-  // farther away.
-  std::optional<SurfacePoint> nearest(std::size_t index, const Eigen::Vector3d& point, double reach);
+  // farther away. `clearance` receives its distance (m), or less if it is farther away than `reach`.
+  std::optional<SurfacePoint> nearest(std::size_t index, const Eigen::Vector3d& point, double reach, double& clearance);
 
  private:
   static constexpr std::size_t kMostCandidates = 14;

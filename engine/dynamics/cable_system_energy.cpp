@@ -4,13 +4,6 @@
 #include "engine/dynamics/hinge_forces.h"
 
 namespace netpocket {
-namespace {
-
-// Rows of ElementBatch::states.
-constexpr std::size_t kStrain = 0, kStrainRate = 1, kBendingEnergy = 2;
-
-}  // namespace
-
 void CableSystem::Impl::compute_states() {
   element_states.resize(static_cast<std::size_t>(batch.block_count()) * kStateRows * kBlockSize);
   batch.states(coordinates.arrays(), velocities.arrays(), element_states.data());

@@ -16,6 +16,9 @@
 
 namespace netpocket {
 
+// Rows of ElementBatch::states.
+inline constexpr std::size_t kStrain = 0, kStrainRate = 1, kBendingEnergy = 2, kBendStiffness = 3;
+
 struct CableSystem::Impl {
   Impl(const Model& model, const SystemOptions& options);
 
@@ -38,6 +41,7 @@ struct CableSystem::Impl {
   std::vector<double> mass;           // by slot
   AlignedVector<double> inverse_mass;
   std::vector<double> element_length;
+  std::vector<double> wave_speed;  // by element, sqrt(EA/m), m/s
   std::optional<ConsistentMass> consistent_mass;
   AlignedVector<double> unit_mass;
   SlotVectors accelerations;  // by the consistent mass

@@ -95,7 +95,8 @@ void CableSystem::Impl::compute_forces(double dt) {
   }
   contacts.add_forces(
       coordinates, velocities, inverse_mass, element_length, bodies, dt,
-      [this](std::int32_t slot) { return slot_force(slot); }, applied, wrenches);
+      [this](std::int32_t slot) -> Eigen::Vector3d { return inverse_mass[slot] * slot_force(slot); }, applied,
+      wrenches);
   loaded_slots.insert(loaded_slots.end(), contacts.touched_slots().begin(), contacts.touched_slots().end());
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     SectorSum<Eigen::Vector3d> force(Eigen::Vector3d::Zero()), torque(Eigen::Vector3d::Zero());

@@ -80,6 +80,7 @@ ContactSolver::ContactSolver(const Model& model, const SlotLayout& layout, std::
       excluded.push_back(attached(element.node1) || attached(element.node2) || material.radius <= 0);
     }
     pairs_.push_back(std::move(pairs));
+    due_.emplace_back(model.elements.size(), 0.0);
     trackers_.emplace_back(body.shape, model.elements.size() * samples_.size());
     excluded_.push_back(std::move(excluded));
   }
@@ -115,18 +116,19 @@ bool ContactSolver::update_broad_phase(const SlotVectors& coordinates, const std
   return true;
 }
 
-bool ContactSolver::is_near(const SlotVectors& coordinates, double length, std::int32_t element, std::int32_t body,
-                            const DynamicBody& dynamic, double reach) {
+// Clearance of the element's nearest contact point.
+double ContactSolver::clearance(const SlotVectors& coordinates, double length, std::int32_t element, std::int32_t body,
+                                const DynamicBody& dynamic, double reach) {
   const Eigen::Vector3d centre = dynamic.centre();
+  double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < samples_.size(); ++i) {
-    const Sample& sample = samples_[i];
-    const Eigen::Vector3d point =
-        combine(coordinates, slots_[element],
-                {sample.position1, length * sample.gradient1, sample.position2, length * sample.gradient2});
+    const Eigen::Vector3d point = combine(coordinates, slots_[element], samples_[i].weights(length));
     const Eigen::Vector3d local = symmetric_transposed_product(dynamic.rigid().rotation(), point - centre);
-    if (trackers_[body].nearest(element * samples_.size() + i, local, reach)) return true;
+    double distance = 0;
+    trackers_[body].nearest(element * samples_.size() + i, local, reach, distance);
+    least = std::min(least, distance);
   }
-  return false;
+  return least - radius_[element];
 }
 
 void ContactSolver::survey(const SlotVectors& coordinates, const SlotVectors& velocities,
@@ -151,22 +153,26 @@ void ContactSolver::survey(const SlotVectors& coordinates, const SlotVectors& ve
     for (std::vector<std::int32_t>& near : near_) near.clear();
     return;
   }
+  approach_per_step_ = 2 * travel_per_step;
   const double margin = kNearMargin + 2 * travel;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     near_[b].clear();
     if (!model_.bodies[b].touches_cables) continue;
     for (const std::int32_t element : broad_phase_.candidates(static_cast<int>(b))) {
       if (excluded_[b][element]) continue;
-      if (is_near(coordinates, element_length[element], element, static_cast<std::int32_t>(b), bodies[b],
-                  margin + radius_[element])) {
-        near_[b].push_back(element);
-      }
+      double& due = due_[b][element];
+      if (due > approach_ + margin) continue;
+      due = approach_ + clearance(coordinates, element_length[element], element, static_cast<std::int32_t>(b),
+                                  bodies[b], margin + radius_[element]);
+      if (!(due > approach_ + margin)) near_[b].push_back(element);
     }
   }
 }
 
 void ContactSolver::forget_candidates() {
   steps_to_survey_ = 0;
+  approach_ = 0;
+  for (std::vector<double>& due : due_) std::ranges::fill(due, 0.0);
   broad_phase_.advance(std::numeric_limits<double>::infinity());
 }
 
@@ -178,14 +184,17 @@ void ContactSolver::find(const SlotVectors& coordinates, const std::vector<doubl
     const Eigen::Vector3d centre = bodies[b].centre();
     const Eigen::Matrix3d& rotation = bodies[b].rigid().rotation();
     for (const std::int32_t element : near_[b]) {
+      if (due_[b][element] > approach_) continue;
       const double length = element_length[element];
+      double least = std::numeric_limits<double>::infinity();
       for (std::size_t i = 0; i < samples_.size(); ++i) {
-        const Sample& sample = samples_[i];
-        const std::array<double, 4> weight = {sample.position1, length * sample.gradient1, sample.position2,
-                                              length * sample.gradient2};
+        const std::array<double, 4> weight = samples_[i].weights(length);
         const Eigen::Vector3d point = combine(coordinates, slots_[element], weight);
-        const auto nearest = trackers_[b].nearest(
-            element * samples_.size() + i, symmetric_transposed_product(rotation, point - centre), radius_[element]);
+        double distance = 0;
+        const auto nearest =
+            trackers_[b].nearest(element * samples_.size() + i, symmetric_transposed_product(rotation, point - centre),
+                                 radius_[element], distance);
+        least = std::min(least, distance);
         if (!nearest) continue;
         const double penetration = radius_[element] - nearest->distance;
         const Eigen::Vector3d normal = symmetric_product(rotation, nearest->normal);
@@ -198,6 +207,7 @@ void ContactSolver::find(const SlotVectors& coordinates, const std::vector<doubl
                              .penetration = penetration});
         deepest_penetration_ = std::max(deepest_penetration_, penetration);
       }
+      due_[b][element] = approach_ + (least - radius_[element]);
     }
   }
 }
@@ -249,15 +259,16 @@ void ContactSolver::set_force(Contact& contact, const SlotVectors& velocities, s
 void ContactSolver::add_forces(const SlotVectors& coordinates, const SlotVectors& velocities,
                                std::span<const double> inverse_mass, const std::vector<double>& element_length,
                                const std::vector<DynamicBody>& bodies, double dt,
-                               const std::function<Eigen::Vector3d(std::int32_t)>& other_force, SlotVectors& applied,
-                               std::vector<Wrench>& wrenches) {
+                               const std::function<Eigen::Vector3d(std::int32_t)>& free_acceleration,
+                               SlotVectors& applied, std::vector<Wrench>& wrenches) {
   if (bodies.empty()) return;
   if (steps_to_survey_ <= 0) survey(coordinates, velocities, element_length, bodies, dt);
   --steps_to_survey_;
+  approach_ += approach_per_step_;
   find(coordinates, element_length, bodies);
   share_inertia();
   for (const std::int32_t slot : touched_slots_) {
-    predicted_.set(slot, velocities.get(slot) + (dt * inverse_mass[slot]) * other_force(slot));
+    predicted_.set(slot, velocities.get(slot) + dt * free_acceleration(slot));
   }
   std::vector<SectorSum<Eigen::Vector3d>> force(bodies.size(), SectorSum<Eigen::Vector3d>(Eigen::Vector3d::Zero()));
   auto torque = force;

@@ -36,11 +36,11 @@ class ContactSolver {
 
   // Finds the contacts at this state and adds their forces on slots to `applied` and on bodies to `wrenches` (by body,
   // about the dynamic body's centre of mass). `dt` (s): step over which the forces will act.
-  // `element_length`: current material length by element (m). `other_force`: everything else that acts on a slot in
-  // this step; contact meets the velocity that results from it, so that a cord at rest presses with just what loads it.
+  // `element_length`: current material length by element (m). `free_acceleration`: of a slot by everything else in this
+  // step; contact meets the velocity that results from it, so that a cord at rest presses with just what loads it.
   void add_forces(const SlotVectors& coordinates, const SlotVectors& velocities, std::span<const double> inverse_mass,
                   const std::vector<double>& element_length, const std::vector<DynamicBody>& bodies, double dt,
-                  const std::function<Eigen::Vector3d(std::int32_t slot)>& other_force, SlotVectors& applied,
+                  const std::function<Eigen::Vector3d(std::int32_t slot)>& free_acceleration, SlotVectors& applied,
                   std::vector<Wrench>& wrenches);
 
   // Slots that the last add_forces touched.
@@ -57,6 +57,11 @@ class ContactSolver {
  private:
   struct Sample {  // shape functions at one contact point for unit length
     double position1, gradient1, position2, gradient2;
+
+    // Of the slots of an element of this length (m).
+    std::array<double, 4> weights(double length) const {
+      return {position1, length * gradient1, position2, length * gradient2};
+    }
   };
   struct Pair {        // an element and a body
     double stiffness;  // K of the materials, N/m^1.5
@@ -79,9 +84,10 @@ class ContactSolver {
                           const std::vector<DynamicBody>& bodies);
   void find(const SlotVectors& coordinates, const std::vector<double>& element_length,
             const std::vector<DynamicBody>& bodies);
-  // Whether a contact point of the element is nearer than `reach` (m) to the body.
-  bool is_near(const SlotVectors& coordinates, double length, std::int32_t element, std::int32_t body,
-               const DynamicBody& dynamic, double reach);
+  // Least distance (m) of the element's contact points from the body's surface, less the cable's radius; a lower bound
+  // of it where that is more than `reach`.
+  double clearance(const SlotVectors& coordinates, double length, std::int32_t element, std::int32_t body,
+                   const DynamicBody& dynamic, double reach);
   void share_inertia();
   NormalLaw law(const Contact& contact, double dt) const;
   void set_force(Contact& contact, const SlotVectors& velocities, std::span<const double> inverse_mass,
@@ -100,7 +106,10 @@ class ContactSolver {
   std::vector<std::vector<std::uint8_t>> excluded_;  // by body, element: attached to it
   BroadPhase broad_phase_;
   std::vector<SurfaceTracker> trackers_;         // by body; its points: by element, sample
-  std::vector<std::vector<std::int32_t>> near_;  // by body: elements so near that they are tested at every step
+  std::vector<std::vector<std::int32_t>> near_;  // by body: elements that may touch it before the next survey
+  // No element can come nearer to a body than approach_ grows: it is tested when that has grown by its last clearance.
+  double approach_ = 0, approach_per_step_ = 0;  // m
+  std::vector<std::vector<double>> due_;         // by body, element: value of approach_ at which it may touch, m
   std::vector<Contact> contacts_;
   std::vector<double> shared_weight_;  // by slot, sum of contact weights
   SlotVectors predicted_;              // velocities of touched slots without contact

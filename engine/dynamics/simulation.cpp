@@ -22,8 +22,11 @@
 namespace netpocket {
 namespace {
 
-// Steps between two checks that the state is sound.
+// Steps between two checks that the state is sound, and between two copies of a sound state.
 constexpr std::int64_t kFaultInterval = 256;
+constexpr std::int64_t kCopyInterval = 16 * kFaultInterval;
+// Longest time (s) for which the step stays what the cables' shape allowed at its start.
+constexpr double kLongestInterval = 0.01;
 // Counts that a double holds exactly.
 constexpr double kLargestCount = 9007199254740992.0;
 
@@ -88,6 +91,7 @@ struct Simulation::Impl {
         channels(pocket) {
     perturb();
     stable = system.stable_step();
+    shape_step = stable.step;
   }
 
   Scenario scenario;
@@ -98,12 +102,15 @@ struct Simulation::Impl {
   StableStep stable{};                                    // of the pocket as built, without closing ropes' shortening
   int rope_step_class = std::numeric_limits<int>::max();  // of the length for which rope_step_value holds
   double rope_step_value = 0;                             // s
-  double time_step = 0;                                   // s, in the present output interval
+  double shape_step = 0;                                  // s, stable in the shape at the start of the interval
+  double time_step = 0;                                   // s, in the present interval
   double smallest_step = std::numeric_limits<double>::infinity();
-  std::int64_t interval = -1;  // present output interval
+  std::int64_t interval = -1;  // stretch of equal steps, one or more to an output interval
   std::int64_t interval_steps = 1, steps_in_interval = 0;
   double wall = 0, cpu = 0;
-  std::vector<double> sound_state;  // at the start of advance() or the last check since
+  std::vector<double> sound_state;  // a copy at step sound_step; empty: none yet
+  std::int64_t sound_step = 0;
+  std::vector<std::int64_t> snapshot_steps;  // at which snapshots have been taken since the copy
   std::int64_t failed_step = 0;
 
   // Small random displacements of the free net nodes, to see how asymmetry grows.
@@ -124,7 +131,7 @@ struct Simulation::Impl {
     if (scenario.solver.time_step > 0) return scenario.solver.time_step;
     const VariableRope& rope = pocket.model.ropes.front();
     const double length = rope.motion(time).length / static_cast<double>(rope.elements.size());
-    return scenario.solver.safety * std::min(stable.step, rope_step(length));
+    return scenario.solver.safety * std::min(shape_step, rope_step(length));
   }
 
   // Stable step of a closing-rope element, for its length rounded down to a power of 1.01: seldom anything to compute,
@@ -148,6 +155,7 @@ struct Simulation::Impl {
     const bool closing_changes = std::ranges::any_of(
         parameters(), [&](const Parameter& p) { return p.group() == "closing" && !(p.get(next) == p.get(scenario)); });
     scenario = next;
+    sound_state.clear();  // the steps since would not repeat themselves
     drive.change(next.towing, next.spacecraft.station_keeping);
     system.set_friction(next.contact.friction);
     for (const auto& [material, wall] :
@@ -182,14 +190,16 @@ struct Simulation::Impl {
     for (double* value : {&time_step, &smallest_step, &wall, &cpu}) visit(*value);
   }
 
-  // Divides the output interval that begins now into equal steps.
+  // Divides the interval that begins now into equal steps.
   void begin_interval() {
     const double frame = 1 / scenario.output.frame_rate;
+    const double length = frame / std::ceil(frame / kLongestInterval);
     ++interval;
-    const double end = static_cast<double>(interval + 1) * frame;
+    const double end = static_cast<double>(interval + 1) * length;
+    shape_step = system.stable_step_as_bent(stable);
     const double allowed = std::min(allowed_step(system.time()), allowed_step(end));
-    interval_steps = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(frame / allowed)));
-    time_step = (end - static_cast<double>(interval) * frame) / static_cast<double>(interval_steps);
+    interval_steps = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(length / allowed)));
+    time_step = (end - static_cast<double>(interval) * length) / static_cast<double>(interval_steps);
     smallest_step = std::min(smallest_step, time_step);
     steps_in_interval = 0;
   }
@@ -220,20 +230,40 @@ struct Simulation::Impl {
     return diverged(find_first_fault(*fault));
   }
 
-  // The state was sound some steps ago. Repeats these one by one up to the one that failed and goes back to the state
-  // before it.
+  void keep_sound_state() {
+    sound_state = state();
+    sound_step = system.steps();
+    snapshot_steps.clear();
+  }
+
+  // The state was sound some steps ago. Repeats these, with the snapshots taken meanwhile, one by one up to the one
+  // that failed and goes back to the state before it.
   std::string find_first_fault(const std::string& latest) {
     const std::int64_t end = system.steps();
     set_state(sound_state);
     std::optional<std::string> fault;
+    std::size_t next_snapshot = 0;
     while (!fault && system.steps() < end) {
-      sound_state = state();
+      for (; next_snapshot < snapshot_steps.size() && snapshot_steps[next_snapshot] == system.steps();
+           ++next_snapshot) {
+        snapshot();
+      }
+      // Only steps of the last checked stretch can have failed.
+      if (system.steps() + kFaultInterval >= end) sound_state = state();
       step();
       fault = system.fault();
     }
     failed_step = system.steps();
     set_state(sound_state);
+    keep_sound_state();
     return fault.value_or(latest);
+  }
+
+  Snapshot snapshot() {
+    Snapshot result;
+    const EnergyAudit energy = system.capture(result);
+    channels.fill(result, pocket.structure, system, energy, time_step);
+    return result;
   }
 
   RunStatus diverged(const std::string& fault) const {
@@ -260,7 +290,7 @@ RunStatus Simulation::advance(double until, const std::stop_token& stop) {
   const double wall = wall_seconds(), cpu = cpu_seconds();
   RunStatus status{RunReason::finished, 0, "reached the requested time"};
   std::optional<RunStatus> failure;
-  impl_->sound_state = impl_->state();
+  if (impl_->sound_state.empty()) impl_->keep_sound_state();
   // Half a step of tolerance: the sum of many steps is not exactly the time of a frame.
   while (!failure && time() + 0.5 * impl_->time_step < until) {
     if (stop.stop_requested()) {
@@ -270,7 +300,7 @@ RunStatus Simulation::advance(double until, const std::stop_token& stop) {
     impl_->step();
     if (impl_->system.steps() % kFaultInterval != 0) continue;
     failure = impl_->check();
-    if (!failure) impl_->sound_state = impl_->state();
+    if (!failure && impl_->system.steps() >= impl_->sound_step + kCopyInterval) impl_->keep_sound_state();
   }
   if (!failure) failure = impl_->check();
   if (failure) status = *failure;
@@ -281,10 +311,8 @@ RunStatus Simulation::advance(double until, const std::stop_token& stop) {
 }
 
 Snapshot Simulation::snapshot() {
-  Snapshot result;
-  const EnergyAudit energy = impl_->system.capture(result);
-  impl_->channels.fill(result, structure(), impl_->system, energy, impl_->time_step);
-  return result;
+  impl_->snapshot_steps.push_back(impl_->system.steps());
+  return impl_->snapshot();
 }
 
 std::vector<std::string> Simulation::change_strategy(const Scenario& wanted) {
@@ -309,6 +337,7 @@ void Simulation::restore(std::span<const double> state) {
     throw std::invalid_argument("the saved state does not belong to this scenario: it has another size");
   }
   impl_->set_state(state);
+  impl_->sound_state.clear();
   if (const auto fault = impl_->system.fault()) {
     throw std::invalid_argument("the saved state does not belong to this scenario: " + *fault);
   }

@@ -75,11 +75,6 @@ ModeEnergy add_element_product(std::span<const BatchElement> elements, std::size
   return energy;
 }
 
-double stable_for(double stiffness, double damping) {
-  if (stiffness <= 0) return std::numeric_limits<double>::infinity();
-  return (std::sqrt(damping * damping + 4 * stiffness) - damping) / stiffness;
-}
-
 // Deterministic, dense in all modes.
 Vectors start_vector(std::int32_t size) {
   Vectors x(size);
@@ -94,13 +89,18 @@ Vectors start_vector(std::int32_t size) {
 
 }  // namespace
 
+double stable_step_of_mode(double stiffness, double damping) {
+  if (stiffness <= 0) return std::numeric_limits<double>::infinity();
+  return (std::sqrt(damping * damping + 4 * stiffness) - damping) / stiffness;
+}
+
 StableStep find_stable_step(const Model& model, const SlotLayout& layout, std::span<const BatchElement> elements,
                             std::span<const double> inverse_mass, const SlotVectors& coordinates) {
   constexpr int kIterations = 120;
-  constexpr double kMargin = 0.98;  // the Rayleigh quotient approaches the highest frequency from below
+  constexpr double kMargin = 1.02;  // the Rayleigh quotient approaches the highest square frequency from below
   Vectors x = start_vector(coordinates.size()), product(x.size());
   double step = 1e-4;
-  StableStep result{std::numeric_limits<double>::infinity(), "nothing moves"};
+  StableStep result{.step = std::numeric_limits<double>::infinity(), .limit = "nothing moves"};
   for (int iteration = 0; iteration < kIterations; ++iteration) {
     for (std::size_t i = 0; i < x.size(); ++i) {
       if (inverse_mass[i] == 0) x[i].setZero();
@@ -145,9 +145,10 @@ StableStep find_stable_step(const Model& model, const SlotLayout& layout, std::s
     }
     if (kinetic == 0 || norm == 0) return result;
     for (Eigen::Vector3d& v : x) v /= norm;
-    step = stable_for(potential / kinetic, dissipation / kinetic);
+    result.stiffness = kMargin * potential / kinetic;
+    result.damping = kMargin * dissipation / kinetic;
+    result.step = step = stable_step_of_mode(result.stiffness, result.damping);
     if (!std::isfinite(step)) return result;
-    result.step = kMargin * step;
   }
   return result;
 }
@@ -168,7 +169,7 @@ double smallest_over_modes(const CableSection& section, const ElementTangent& ax
     const auto mode = modes.eigenvectors().col(i);
     const double damping =
         section.axial_damping * mode.dot(axial * mode) + section.bending_damping * mode.dot(bending * mode);
-    step = std::min(step, stable_for(modes.eigenvalues()[i], std::max(damping, 0.0)));
+    step = std::min(step, stable_step_of_mode(modes.eigenvalues()[i], std::max(damping, 0.0)));
   }
   return step;
 }
@@ -187,7 +188,7 @@ double stable_step_of_element(const CableSection& section, double length, const 
 
 StableStep find_stable_step_of_full_elements(const Model& model, std::span<const BatchElement> elements,
                                              const SlotVectors& coordinates) {
-  StableStep result{std::numeric_limits<double>::infinity(), "nothing moves"};
+  StableStep result{.step = std::numeric_limits<double>::infinity(), .limit = "nothing moves"};
   const std::vector<std::uint8_t> lumped = lumped_elements(model);
   for (std::size_t i = 0; i < elements.size(); ++i) {
     ElementCoordinates q;
@@ -197,7 +198,7 @@ StableStep find_stable_step_of_full_elements(const Model& model, std::span<const
     if (lumped[i] != 0) mass = lumped_mass(section.mass_per_length, elements[i].length).asDiagonal();
     const double step = stable_step_of_element<FullElement>(section, elements[i].length, mass, q);
     if (step < result.step)
-      result = {step, "the full element's stiffness in " + model.threads[model.elements[i].thread]};
+      result = {.step = step, .limit = "the full element's stiffness in " + model.threads[model.elements[i].thread]};
   }
   return result;
 }

@@ -20,7 +20,12 @@ namespace netpocket {
 struct StableStep {
   double step;        // s
   std::string limit;  // e.g. "axial waves in panel 3 row 2"
+  // Of the limiting mode, with the mean-strain evaluation: w^2 (1/s^2) and d (1/s).
+  double stiffness = 0, damping = 0;
 };
+
+// Stable step of one mode, s.
+double stable_step_of_mode(double stiffness, double damping);
 
 // `inverse_mass` by slot, 0 where a slot does not move by itself.
 StableStep find_stable_step(const Model& model, const SlotLayout& layout, std::span<const BatchElement> elements,

@@ -29,7 +29,7 @@ class PocketBuilder {
       : scenario_(scenario),
         columns_(scenario.pocket.mesh_columns),
         rows_(scenario.pocket.mesh_rows),
-        sectors_(pocket_.model, scenario.pocket.rod_count, scenario.solver.pair_strains && scenario.pocket.bow == 0) {}
+        sectors_(pocket_.model, scenario.pocket.rod_count, scenario.solver.pair_strains) {}
 
   Pocket build() {
     Model& model = pocket_.model;

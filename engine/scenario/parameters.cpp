@@ -216,7 +216,7 @@ constexpr std::array kParameters = {
     parameter<kTowing, &Towing::offset>("towing.offset", within(-100, 100), "m", "distance of the line of thrust from the axis, along +X", kAssumption),
 
     parameter<kSolver, &Solver::evaluation>("solver.evaluation", kNone, "", "mean_strain: one axial strain per element, lumped mass; full: Gauss points, consistent mass", "assumption; strain and curvature of full: Gerstmayr & Shabana 2006"),
-    parameter<kSolver, &Solver::pair_strains>("solver.pair_strains", kNone, "", "the elements of a mesh side share their axial strain two by two, which allows larger steps; mean_strain, cords of full compression and straight sides (pocket.bow 0) only: with bowed ones some nets were unstable", "assumption; ancf/strain_pair.h"),
+    parameter<kSolver, &Solver::pair_strains>("solver.pair_strains", kNone, "", "the elements of a mesh side share their axial strain two by two, which allows larger steps; mean_strain and cords of full compression only", "assumption; ancf/strain_pair.h"),
     parameter<kSolver, &Solver::time_step>("solver.time_step", within(0, 0.1), "s", "integration step; 0: chosen from the stiffest element and contact", kAssumption),
     parameter<kSolver, &Solver::safety>("solver.safety", above(0, 1), "", "fraction of the stable step that is used", kAssumption),
     parameter<kSolver, &Solver::gravity>("solver.gravity", within(-100, 100), "m/s^2", "gravity", "assumption: none in orbit"),

@@ -96,7 +96,7 @@ struct ClosingParameters {
   double duration = 10;                // s
   double closed_length = 2.1;          // m, rope between adjacent tips when closed
   std::vector<Eigen::Vector2d> table;  // (t in s after start, L in m), law = table
-  int elements = 4;                    // variable-length elements per rope
+  int elements = 2;                    // variable-length elements per rope
 };
 
 struct TowingParameters {

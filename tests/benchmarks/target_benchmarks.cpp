@@ -58,7 +58,8 @@ void nearest_tracked(benchmark::State& state) {
     const std::size_t index = i++ % points.size();
     Vector3d& point = points[index];
     point += 1e-4 * point.cross(Vector3d(1, 2, 3)).normalized();
-    benchmark::DoNotOptimize(tracker.nearest(index, point, 0.01));
+    double clearance = 0;
+    benchmark::DoNotOptimize(tracker.nearest(index, point, 0.01, clearance));
   }
 }
 BENCHMARK(nearest_tracked)->Name("distance/mesh_tracked")->Arg(500)->Arg(50000)->Arg(500000);

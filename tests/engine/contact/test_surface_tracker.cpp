@@ -38,8 +38,10 @@ TEST_P(TrackerTest, AnswersAreThoseOfTheMeshToTheLastBit) {
       for (std::size_t i = 0; i < kPoints; ++i) {
         points[i] += GetParam() * direction();
         const SurfacePoint exact = shape.mesh->nearest(points[i]);
-        const auto found = tracker.nearest(i, points[i], reach);
+        double clearance = 0;
+        const auto found = tracker.nearest(i, points[i], reach, clearance);
         ASSERT_EQ(found.has_value(), exact.distance < reach);
+        ASSERT_LE(clearance, exact.distance);
         if (!found) continue;
         ++touching;
         ASSERT_EQ(found->distance, exact.distance);
@@ -53,15 +55,18 @@ TEST_P(TrackerTest, AnswersAreThoseOfTheMeshToTheLastBit) {
 TEST(Tracker, OtherShapesHaveTheirClosedForm) {
   const Shape sphere = Sphere{2};
   SurfaceTracker tracker(sphere, 1);
-  EXPECT_FALSE(tracker.nearest(0, {0, 2.3, 0}, 0.1));
-  EXPECT_NEAR(tracker.nearest(0, {0, 2.05, 0}, 0.1)->distance, 0.05, 1e-15);
+  double clearance = 0;
+  EXPECT_FALSE(tracker.nearest(0, {0, 2.3, 0}, 0.1, clearance));
+  EXPECT_NEAR(clearance, 0.3, 1e-15);
+  EXPECT_NEAR(tracker.nearest(0, {0, 2.05, 0}, 0.1, clearance)->distance, 0.05, 1e-15);
 }
 
 TEST(Tracker, NotANumberTouchesNothing) {
   const Shape body = MeshShape{samples::checked_mesh(samples::wedge())};
   SurfaceTracker tracker(body, 1);
-  EXPECT_FALSE(tracker.nearest(0, {NAN, 0, 0}, 0.1));
-  EXPECT_TRUE(tracker.nearest(0, {0, 0, 0}, 0.1));
+  double clearance = 0;
+  EXPECT_FALSE(tracker.nearest(0, {NAN, 0, 0}, 0.1, clearance));
+  EXPECT_TRUE(tracker.nearest(0, {0, 0, 0}, 0.1, clearance));
 }
 
 }  // namespace

@@ -107,7 +107,7 @@ TEST(Satellite, IsCaughtBySomeOfItsParts) {
   Scenario scenario = busy_scenario();
   scenario.target.shape = TargetShape::satellite;
   scenario.target.size = {2, 2.4, 2};
-  const Snapshot end = run(scenario, {2.5});
+  const Snapshot end = run(scenario, {3});
   EXPECT_GT((end.bodies[1].velocity - scenario.target.velocity).norm(), 1e-3);
   EXPECT_FALSE(end.contacts.empty());
 }
