@@ -155,20 +155,52 @@ StableStep find_stable_step(const Model& model, const SlotLayout& layout, std::s
 
 namespace {
 
+// What hinges add to an element's stiffness and damping, by corner. A hinge's energy k |g2 - g1|^2/2 is at most
+// k |g1|^2 + k |g2|^2: shared so between an element at either side, it is bounded from above.
+struct HingeShare {
+  Eigen::Vector4d stiffness = Eigen::Vector4d::Zero();
+  Eigen::Vector4d damping = Eigen::Vector4d::Zero();
+};
+
+std::vector<HingeShare> hinge_shares(const Model& model) {
+  std::vector<HingeShare> shares(model.elements.size());
+  const auto add = [&](std::int32_t gradient, const Hinge& hinge) {
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+      const ModelElement& element = model.elements[i];
+      if (element.gradient1 != gradient && element.gradient2 != gradient) continue;
+      const int corner = element.gradient1 == gradient ? 1 : 3;
+      shares[i].stiffness[corner] += 2 * hinge.stiffness;
+      shares[i].damping[corner] += 2 * hinge.damping;
+      return;
+    }
+  };
+  for (const Hinge& hinge : model.hinges) {
+    add(hinge.gradient1, hinge);
+    add(hinge.gradient2, hinge);
+  }
+  return shares;
+}
+
 // Smallest stable step over the modes of one free element, from its tangents without and with bending stiffness and its
 // mass matrix, which acts on each component alike.
 double smallest_over_modes(const CableSection& section, const ElementTangent& axial, const ElementTangent& bending,
-                           const Eigen::Matrix4d& mass) {
+                           const Eigen::Matrix4d& mass, const HingeShare& hinges) {
+  const auto by_component = [](const Eigen::Vector4d& by_corner) {
+    return by_corner.transpose().replicate<3, 1>().reshaped().eval();
+  };
   ElementTangent mass_matrix = ElementTangent::Zero();
   for (int a = 0; a < 4; ++a) {
     for (int b = 0; b < 4; ++b) mass_matrix.block<3, 3>(3 * a, 3 * b) = mass(a, b) * Eigen::Matrix3d::Identity();
   }
-  const Eigen::GeneralizedSelfAdjointEigenSolver<ElementTangent> modes(axial + bending, mass_matrix);
+  ElementTangent stiffness = axial + bending;
+  stiffness.diagonal() += by_component(hinges.stiffness);
+  const Eigen::GeneralizedSelfAdjointEigenSolver<ElementTangent> modes(stiffness, mass_matrix);
   double step = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 12; ++i) {
     const auto mode = modes.eigenvectors().col(i);
-    const double damping =
-        section.axial_damping * mode.dot(axial * mode) + section.bending_damping * mode.dot(bending * mode);
+    const double damping = section.axial_damping * mode.dot(axial * mode) +
+                           section.bending_damping * mode.dot(bending * mode) +
+                           mode.dot(by_component(hinges.damping).cwiseProduct(mode));
     step = std::min(step, stable_step_of_mode(modes.eigenvalues()[i], std::max(damping, 0.0)));
   }
   return step;
@@ -176,12 +208,12 @@ double smallest_over_modes(const CableSection& section, const ElementTangent& ax
 
 template <typename Element>
 double stable_step_of_element(const CableSection& section, double length, const Eigen::Matrix4d& mass,
-                              const ElementCoordinates& q) {
+                              const ElementCoordinates& q, const HingeShare& hinges = {}) {
   CableSection axial = section, bending = section;
   axial.EI = 0;
   bending.EA = 0;
   const MaterialSpan span{.length = length};
-  return smallest_over_modes(section, Element(axial, span).tangent(q), Element(bending, span).tangent(q), mass);
+  return smallest_over_modes(section, Element(axial, span).tangent(q), Element(bending, span).tangent(q), mass, hinges);
 }
 
 }  // namespace
@@ -190,6 +222,7 @@ StableStep find_stable_step_of_full_elements(const Model& model, std::span<const
                                              const SlotVectors& coordinates) {
   StableStep result{.step = std::numeric_limits<double>::infinity(), .limit = "nothing moves"};
   const std::vector<std::uint8_t> lumped = lumped_elements(model);
+  const std::vector<HingeShare> hinges = hinge_shares(model);
   for (std::size_t i = 0; i < elements.size(); ++i) {
     ElementCoordinates q;
     for (int corner = 0; corner < 4; ++corner) q.col(corner) = coordinates.get(elements[i].slot[corner]);
@@ -197,7 +230,7 @@ StableStep find_stable_step_of_full_elements(const Model& model, std::span<const
     section.compression = 1;  // what is slack now may be taut later
     Eigen::Matrix4d mass = consistent_mass(section.mass_per_length, elements[i].length);
     if (lumped[i] != 0) mass = lumped_mass(section.mass_per_length, elements[i].length).asDiagonal();
-    const double step = stable_step_of_element<FullElement>(section, elements[i].length, mass, q);
+    const double step = stable_step_of_element<FullElement>(section, elements[i].length, mass, q, hinges[i]);
     if (step < result.step)
       result = {.step = step, .limit = "the full element's stiffness in " + model.threads[model.elements[i].thread]};
   }
