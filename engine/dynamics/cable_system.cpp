@@ -150,6 +150,11 @@ void CableSystem::Impl::set_constant_loads() {
     }
   }
   applied = constant_load;
+  loaded_at_rest.assign(static_cast<std::size_t>(assembly.block_count()), 0);
+  for (std::int32_t slot = 0; slot < layout.size(); ++slot) {
+    if (constant_load.get(slot) != Eigen::Vector3d::Zero()) loaded_at_rest[slot / kBlockSize] = 1;
+  }
+  loaded = loaded_at_rest;
 }
 
 ElementCoordinates CableSystem::Impl::gather(const SlotVectors& vectors, std::size_t element) const {
@@ -189,9 +194,10 @@ double CableSystem::stable_step_as_bent(const StableStep& built) {
   constexpr double kOverlap = 0.25;
   Impl& s = *impl_;
   if (s.consistent_mass || built.stiffness == 0) return built.step;
-  s.compute_states();
+  if (s.step_of_states != s.steps) s.compute_states();
   double of_bends = 0, strain = 0;
   for (std::size_t i = 0; i < s.elements.size(); ++i) {
+    if (s.elements[i].variable) continue;  // their length may be that of a step ago; they have a bound of their own
     const double wave = s.wave_speed[i] / s.element_length[i];
     of_bends = std::max(of_bends, wave * wave * s.element_state(i, kBendStiffness));
     strain = std::max(strain, s.element_state(i, kStrain));
@@ -256,6 +262,7 @@ void CableSystem::displace(std::span<const Eigen::Vector3d> displacements) {
     if (impl_->model.nodes[i].support != Support::free) continue;
     impl_->coordinates.add(impl_->layout.position(static_cast<std::int32_t>(i)), displacements[i]);
   }
+  impl_->step_of_states = -1;
   impl_->begin_accounts();
 }
 void CableSystem::control(std::int32_t body, const BodyControl& control) { impl_->controls[body] = control; }
@@ -318,6 +325,7 @@ void CableSystem::visit_state(const std::function<void(double&)>& visit) {
   // A file may hold what is no count.
   if (steps >= 0 && steps < 9e15) s.steps = static_cast<std::int64_t>(steps);
   if (!changed) return;
+  s.step_of_states = -1;
   s.contacts.forget_candidates();
   if (s.cord_contacts) s.cord_contacts->forget_candidates();
 }

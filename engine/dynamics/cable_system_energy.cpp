@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "engine/ancf/full_element.h"
 #include "engine/ancf/strain_pair.h"
 #include "engine/dynamics/cable_system_impl.h"
@@ -73,7 +75,10 @@ double CableSystem::Impl::kinetic_energy(const SlotVectors& velocity) const {
 // Work of gravity and constant loads up to an additive constant.
 double CableSystem::Impl::load_work() const {
   double work = 0;
-  for (std::int32_t slot = 0; slot < layout.size(); ++slot) work += constant_load.get(slot).dot(coordinates.get(slot));
+  const bool loads = std::ranges::any_of(loaded_at_rest, [](std::uint8_t block) { return block != 0; });
+  for (std::int32_t slot = 0; loads && slot < layout.size(); ++slot) {
+    work += constant_load.get(slot).dot(coordinates.get(slot));
+  }
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     work += model.bodies[b].mass * model.gravity.dot(bodies[b].centre());
   }
@@ -83,6 +88,7 @@ double CableSystem::Impl::load_work() const {
 EnergyAudit CableSystem::Impl::audit() {
   const double half_kick = 0.5 * last_dt;
   compute_states();
+  step_of_states = steps;
   const SlotVectors velocity = velocities_at_positions();
   const RopeDynamics::FlowEnergy flow = ropes.flow_energy(coordinates, velocity);
   EnergyAudit result;
@@ -100,20 +106,30 @@ EnergyAudit CableSystem::audit() {
   return impl_->audit();
 }
 
+namespace {
+
+void copy_slots(const SlotVectors& vectors, std::int32_t first, std::int32_t count, Eigen::Matrix3Xd& columns) {
+  columns.resize(3, count);
+  double* out = columns.data();
+  for (std::int32_t slot = first; slot < first + count; ++slot) {
+    const Eigen::Vector3d v = vectors.get(slot);
+    *out++ = v.x();
+    *out++ = v.y();
+    *out++ = v.z();
+  }
+}
+
+}  // namespace
+
 EnergyAudit CableSystem::capture(Snapshot& snapshot) {
   Impl& s = *impl_;
   s.compute_forces(s.last_dt > 0 ? s.last_dt : 1e-4);
   const EnergyAudit energies = s.audit();
   snapshot.time = s.time;
   snapshot.step = s.steps;
-  snapshot.positions.resize(3, s.layout.node_count);
-  snapshot.velocities.resize(3, s.layout.node_count);
-  snapshot.gradients.resize(3, s.layout.gradient_count);
-  for (std::int32_t i = 0; i < s.layout.node_count; ++i) {
-    snapshot.positions.col(i) = position(i);
-    snapshot.velocities.col(i) = velocity(i);
-  }
-  for (std::int32_t i = 0; i < s.layout.gradient_count; ++i) snapshot.gradients.col(i) = gradient(i);
+  copy_slots(s.coordinates, s.layout.position(0), s.layout.node_count, snapshot.positions);
+  copy_slots(s.velocities, s.layout.position(0), s.layout.node_count, snapshot.velocities);
+  copy_slots(s.coordinates, s.layout.gradient(0), s.layout.gradient_count, snapshot.gradients);
   snapshot.tension.resize(static_cast<Eigen::Index>(s.elements.size()));
   snapshot.strain.resize(static_cast<Eigen::Index>(s.elements.size()));
   for (std::size_t i = 0; i < s.elements.size(); ++i) {

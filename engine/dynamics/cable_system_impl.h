@@ -59,11 +59,13 @@ struct CableSystem::Impl {
 
   // Forces of the present state.
   AlignedVector<double> element_forces;
-  AlignedVector<double> element_states;    // of the last audit
-  SlotVectors applied;                     // all but element forces
-  SlotVectors constant_load;               // gravity and loads
-  std::vector<std::int32_t> loaded_slots;  // where `applied` may differ from `constant_load`
-  std::vector<Wrench> wrenches;            // by body
+  AlignedVector<double> element_states;              // of the last audit
+  std::int64_t step_of_states = -1;                  // of the last audit; -1: the state has changed other than by steps
+  SlotVectors applied;                               // all but element forces
+  SlotVectors constant_load;                         // gravity and loads
+  std::vector<std::int32_t> loaded_slots;            // where `applied` may differ from `constant_load`
+  std::vector<std::uint8_t> loaded, loaded_at_rest;  // by block of slots: 0 where `applied`, `constant_load` is zero
+  std::vector<Wrench> wrenches;                      // by body
   BatchPower element_power;
   double hinge_power = 0;
   std::vector<BatchPower> chunk_power;

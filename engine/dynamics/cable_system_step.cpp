@@ -58,7 +58,10 @@ void CableSystem::Impl::compute_element_forces() {
 }
 
 void CableSystem::Impl::clear_applied() {
-  for (const std::int32_t slot : loaded_slots) applied.set(slot, constant_load.get(slot));
+  for (const std::int32_t slot : loaded_slots) {
+    applied.set(slot, constant_load.get(slot));
+    loaded[slot / kBlockSize] = loaded_at_rest[slot / kBlockSize];
+  }
   loaded_slots.clear();
   for (Wrench& wrench : wrenches) wrench = Wrench{};
 }
@@ -111,6 +114,7 @@ void CableSystem::Impl::compute_forces(double dt) {
     loaded_slots.insert(loaded_slots.end(), ropes.massive_slots().begin(), ropes.massive_slots().end());
   }
   add_contacts(dt);
+  for (const std::int32_t slot : loaded_slots) loaded[slot / kBlockSize] = 1;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     SectorSum<Eigen::Vector3d> force(Eigen::Vector3d::Zero()), torque(Eigen::Vector3d::Zero());
     for (const DynamicBody::Attachment& attachment : bodies[b].attachments()) {
@@ -142,6 +146,7 @@ void CableSystem::Impl::kick_and_drift(SlotVectors& v, SlotVectors& x, const Ali
   view.element_forces = element_forces.data();
   view.inverse_mass = inverse_masses.data();
   view.applied = applied.arrays();
+  view.loaded = loaded.data();
   view.coordinates = x.arrays();
   view.velocities = v.arrays();
   for_chunks(assembly.block_count(), [&](int, int first, int last) { kernel(view, first, last, kick, drift); });

@@ -51,8 +51,11 @@ void update(const UpdateView& view, int first, int last, double kick, double dri
     const std::ptrdiff_t slot = static_cast<std::ptrdiff_t>(i) * kBlock;
     const SlotBlock& block = view.blocks[i];
     for (int part = 0; part < kParts; ++part) {
-      Lanes3 force = {load(view.applied.x + slot, part), load(view.applied.y + slot, part),
-                      load(view.applied.z + slot, part)};
+      Lanes3 force = {};
+      if (view.loaded[i] != 0) {
+        force = {load(view.applied.x + slot, part), load(view.applied.y + slot, part),
+                 load(view.applied.z + slot, part)};
+      }
       if (block.regular) {
         add_regular(view, block, part, force);
       } else {

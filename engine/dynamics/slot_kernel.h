@@ -43,6 +43,7 @@ struct UpdateView {
   const double* element_forces;
   const double* inverse_mass;  // 1/kg (positions), 1/(kg m^2) (gradients); 0: does not move by itself
   SlotArrays applied;          // N or N m: everything but element forces
+  const std::uint8_t* loaded;  // by block: 0 where `applied` is zero, so that it need not be read
   SlotArrays coordinates;
   SlotArrays velocities;
 };

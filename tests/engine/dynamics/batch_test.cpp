@@ -268,6 +268,8 @@ std::vector<double> updated(Batch state, slot_kernel::Kernel kernel, const Assem
   view.element_forces = element_forces.data();
   view.inverse_mass = inverse_mass.data();
   view.applied = applied.arrays();
+  const std::vector<std::uint8_t> loaded(static_cast<std::size_t>(assembly.block_count()), 1);
+  view.loaded = loaded.data();
   view.coordinates = state.coordinates.arrays();
   view.velocities = state.velocities.arrays();
   kernel(view, 0, assembly.block_count(), 0.01, 0.02);
