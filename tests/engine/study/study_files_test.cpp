@@ -1,0 +1,57 @@
+// The studies that come with the program, and the document they write.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "engine/study/read_study.h"
+
+namespace netpocket {
+namespace {
+
+const std::filesystem::path kScenarios = NETPOCKET_SOURCE_DIR "/scenarios";
+
+std::string content(const std::filesystem::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+TEST(StudyFiles, AreValidAndCompareThePapersClosingTimes) {
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(kScenarios / "studies")) {
+    if (entry.path().extension() != ".toml") continue;
+    ++count;
+    const StudyResult result = read_study_file(entry.path().string());
+    ASSERT_TRUE(result.ok()) << result.diagnostics.text();
+    EXPECT_FALSE(result.study.description.empty()) << entry.path();
+    ASSERT_EQ(result.study.variants.size(), 3u) << entry.path();
+    for (const auto& [variant, duration] : {std::pair(0, 10.0), std::pair(1, 7.5), std::pair(2, 5.0)}) {
+      Scenario scenario;
+      ASSERT_TRUE(apply_settings(scenario, result.study.variants[variant].settings).ok());
+      EXPECT_EQ(scenario.closing.duration, duration) << entry.path();
+    }
+  }
+  EXPECT_GE(count, 6);
+}
+
+// The point that is judged must be one that can be run.
+TEST(StudyFiles, JudgedPointIsValid) {
+  const StudyResult result = read_study_file((kScenarios / "studies/findings.toml").string());
+  ASSERT_TRUE(result.ok());
+  const auto points = study_points(result.study);
+  for (const NamedSettings& variant : result.study.variants) {
+    const StudyScenario made = study_scenario(result.study, points.front(), variant);
+    EXPECT_TRUE(made.diagnostics.ok()) << made.diagnostics.text();
+  }
+}
+
+TEST(StudyFiles, FindingsAreJudgedInTheDocument) {
+  const std::string findings = content(kScenarios / "FINDINGS.md");
+  EXPECT_NE(findings.find("netpocket study findings.toml"), findings.npos);
+  for (int i = 1; i <= 11; ++i) EXPECT_NE(findings.find("### F" + std::to_string(i) + " "), findings.npos) << i;
+}
+
+}  // namespace
+}  // namespace netpocket
