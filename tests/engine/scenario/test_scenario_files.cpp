@@ -58,7 +58,15 @@ TEST(ScenarioFiles, EveryParameterHasAComment) {
   }
 }
 
-TEST(ScenarioFiles, CaseOneStatesTheDefaults) { EXPECT_TRUE(differences(load("case1.toml"), Scenario()).empty()); }
+TEST(ScenarioFiles, LowKinkIsTheDefault) { EXPECT_TRUE(differences(load("low_kink.toml"), Scenario()).empty()); }
+
+// The file's head says which.
+TEST(ScenarioFiles, CaseOneDepartsFromTheDefaultsInItsPocketOnly) {
+  EXPECT_EQ(differences(load("case1.toml"), Scenario()),
+            (std::vector<std::string_view>{"rods.profile", "rods.wall_lower", "rods.wall_upper", "rods.hinge_stiffness",
+                                           "target.radius", "contact.friction", "towing.offset",
+                                           "towing.offset_angle"}));
+}
 
 TEST(ScenarioFiles, PaperCasesDifferOnlyInTheClosingTime) {
   const Scenario case1 = load("case1.toml");
