@@ -26,7 +26,7 @@ TEST(Check, PrintsTheModel) {
 }
 
 TEST(Check, PrintsTheTargetsShape) {
-  const auto sphere = run_program({"check", scenario_file("case1.toml")});
+  const auto sphere = run_program({"check", scenario_file("low_kink.toml")});
   EXPECT_TRUE(contains(sphere.out, "target         sphere, 9 x 9 x 9 m, volume 381.7 m^3")) << sphere.out;
   const auto stage = run_program({"check", scenario_file("spent_stage.toml")});
   EXPECT_EQ(stage.exit_code, 0) << stage.error;
