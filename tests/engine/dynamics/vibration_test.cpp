@@ -1,7 +1,5 @@
 // V3: dynamics against published and closed-form motions; order of the integrator; energy audit.
 
-#include <fmt/format.h>
-
 #include <array>
 
 #include "engine/ancf/full_element.h"
@@ -170,43 +168,6 @@ TEST_F(VerificationDynamics, FrequenciesOfTheTensionedCord) {
                   cord_frequency(ElementEvaluation::full, 16, 1), reference[0], 5e-4, source + "consistent mass");
   expect_relative("frequency 3 of the cord under 50 N, Hz, 16 full elements",
                   cord_frequency(ElementEvaluation::full, 16, 3), reference[2], 5e-4, source + "consistent mass");
-}
-
-// Frequency (Hz) of a mode of a rod of 20 elements, pinned at both ends, whose slopes have more inertia.
-double rod_frequency(double slope_inertia, int mode) {
-  constexpr int kElements = 20;
-  constexpr double kLength = 14, kAmplitude = 1e-4;
-  CableMaterial material = plain_cable(3e5, 350, 0.1);
-  material.slope_inertia = slope_inertia;
-  Cable cable = straight_cable(material, {0, 0, 0}, {kLength, 0, 0}, kElements);
-  const double wave = mode * M_PI / kLength;
-  std::vector<double> shape;
-  for (int i = 0; i <= kElements; ++i) {
-    const double x = kLength * i / kElements;
-    shape.push_back(std::sin(wave * x));
-    cable.model.nodes[cable.nodes[i]].position.y() = kAmplitude * shape.back();
-    cable.model.gradients[cable.gradients[i]].value.y() = kAmplitude * wave * std::cos(wave * x);
-  }
-  cable.model.fix_node(cable.nodes.front());
-  cable.model.fix_node(cable.nodes.back());
-  CableSystem system(cable.model);
-  return measured_frequency(system, cable, shape);
-}
-
-TEST_F(VerificationDynamics, SlopeInertiaOfRods) {
-  for (int mode = 1; mode <= 3; ++mode) {
-    const double exact = 0.5 * M_PI * mode * mode / (14.0 * 14.0) * std::sqrt(350 / 0.1);
-    // Slopes with s m L^3/78 at either end of each element act like a rotary inertia of s m L^2/39 per length.
-    const auto relative = [mode](double s) {
-      const double angle = mode * M_PI / 20;
-      return 1 / std::sqrt(1 + s / 39 * angle * angle);
-    };
-    const std::string what = "frequency " + std::to_string(mode) + " of a pinned rod of 20 elements, Hz, ";
-    expect_relative(what + "slope inertia 1", rod_frequency(1, mode), exact, 1e-3 * mode * mode,
-                    "(n pi/L)^2 sqrt(EI/m)/(2 pi)");
-    expect_relative(what + "slope inertia 10", rod_frequency(10, mode), exact * relative(10), 1e-3 * mode * mode,
-                    fmt::format("the same less {:.2f} %: (1 + s (n pi/20)^2/39)^-1/2", 100 * (1 - relative(10))));
-  }
 }
 
 // Order of convergence in time from three steps, of the tip of a flexible pendulum.
