@@ -104,9 +104,15 @@ void CableSystem::Impl::collect_mass() {
   for (std::size_t i = 0; i < model.nodes.size(); ++i) {
     constant_mass[layout.position(static_cast<std::int32_t>(i))] = model.nodes[i].point_mass;
   }
-  for (const BatchElement& element : elements) {
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const BatchElement& element = elements[i];
     if (element.variable) continue;
-    const NodalWeights lump = lumped_mass(element.section.mass_per_length, element.length);
+    NodalWeights lump = lumped_mass(element.section.mass_per_length, element.length);
+    if (options.evaluation == ElementEvaluation::mean_strain) {
+      const double slope_inertia = model.materials[model.elements[i].material].slope_inertia;
+      lump[1] *= slope_inertia;
+      lump[3] *= slope_inertia;
+    }
     for (int corner = 0; corner < 4; ++corner) constant_mass[element.slot[corner]] += lump[corner];
   }
   mass = constant_mass;
@@ -190,10 +196,10 @@ StableStep CableSystem::stable_step() const {
 // cancel; tension adds N/L to the stiffness of positions. The parts of a stiffness K_1 + K_2 with largest squares of
 // frequencies l_1 and l_2 have (l_1 + l_2)/2 + sqrt((l_1 - l_2)^2/4 + o l_1 l_2) together, o <= 1 the overlap of their
 // motions. Power iteration on shapes of captures gives o = 0.03 with l_2 as large as it is taken here.
-double CableSystem::stable_step_as_bent(const StableStep& built) {
+double CableSystem::stable_step_as_bent(const StableStep& straight) {
   constexpr double kOverlap = 0.25;
   Impl& s = *impl_;
-  if (s.consistent_mass || built.stiffness == 0) return built.step;
+  if (s.consistent_mass || straight.stiffness == 0) return straight.step;
   if (s.step_of_states != s.steps) s.compute_states();
   double of_bends = 0, strain = 0;
   for (std::size_t i = 0; i < s.elements.size(); ++i) {
@@ -202,11 +208,11 @@ double CableSystem::stable_step_as_bent(const StableStep& built) {
     of_bends = std::max(of_bends, wave * wave * s.element_state(i, kBendStiffness));
     strain = std::max(strain, s.element_state(i, kStrain));
   }
-  const double bent = of_bends / built.stiffness;
+  const double bent = of_bends / straight.stiffness;
   const double together = 0.5 * (1 + bent + std::sqrt((1 - bent) * (1 - bent) + 4 * kOverlap * bent));
   // Damping of stretching follows its stiffness.
   const double ratio = together + 2 * strain;
-  return stable_step_of_mode(built.stiffness * ratio, built.damping * ratio);
+  return stable_step_of_mode(straight.stiffness * ratio, straight.damping * ratio);
 }
 
 // Whether every number is finite and no slot moves so fast that an element's end could run away: cheap, errs on the

@@ -60,9 +60,9 @@ class CableSystem {
 
   // Largest stable step at the present rope lengths, without a safety factor.
   StableStep stable_step() const;
-  // The same (s) with what the present bends and tensions of the cables add to the stiffness; `built`: stable_step() of
-  // the model as built. With the full evaluation it is built.step.
-  double stable_step_as_bent(const StableStep& built);
+  // The same (s) with what the present bends and tensions of the cables add to the stiffness; `straight`: stable_step() at
+  // about these rope lengths. With the full evaluation it is straight.step.
+  double stable_step_as_bent(const StableStep& straight);
   // One step of `dt` (s). Steps may differ in size; large jumps cost accuracy.
   void step(double dt);
   // What is wrong with the state, if it is no longer finite or flies apart: one sentence that names the cable, its

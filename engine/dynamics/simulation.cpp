@@ -82,8 +82,8 @@ std::function<RopeMotion(double)> blended_closing(const ClosingSchedule& schedul
 
 }  // namespace
 
-// What sets a step: the elements as built, how far cords are bent, the length of the closing ropes.
-enum class StepLimit : std::uint8_t { elements, bends, ropes };
+// What sets a step: the whole of the cables taken as straight, how far they are bent, the closing ropes by themselves.
+enum class StepCause : std::uint8_t { cables, bends, ropes };
 
 struct Simulation::Impl {
   Impl(const Scenario& s, const SimulationOptions& options)
@@ -93,8 +93,8 @@ struct Simulation::Impl {
         drive(s.towing, s.spacecraft.station_keeping, total_mass(pocket.model)),
         channels(pocket) {
     perturb();
-    stable = system.stable_step();
-    shape_step = stable.step;
+    find_bound();
+    shape_step = bound.step;
   }
 
   Scenario scenario;
@@ -102,13 +102,15 @@ struct Simulation::Impl {
   CableSystem system;
   SpacecraftDrive drive;
   ChannelRecorder channels;
-  StableStep stable{};                                    // of the pocket as built, without closing ropes' shortening
+  StableStep bound{};     // of straight cables, at the rope length:
+  double bound_length = 0;  // m
   int rope_step_class = std::numeric_limits<int>::max();  // of the length for which rope_step_value holds
   double rope_step_value = 0;                             // s
   double shape_step = 0;                                  // s, stable in the shape at the start of the interval
   double time_step = 0;                                   // s, in the present interval
   double smallest_step = std::numeric_limits<double>::infinity();
-  std::int64_t smallest_limit = 0;  // StepLimit of the smallest step
+  // Of the smallest step: StepCause, StepLimit, thread.
+  std::int64_t smallest_cause = 0, smallest_limit = 0, smallest_thread = 0;
   std::int64_t interval = -1;       // stretch of equal steps, one or more to an output interval
   std::int64_t interval_steps = 1, steps_in_interval = 0;
   double wall = 0, cpu = 0;
@@ -154,21 +156,48 @@ struct Simulation::Impl {
     return rope_step_value;
   }
 
+  double rope_length(double time) const { return pocket.model.ropes.front().motion(time).length; }
+
+  void find_bound() {
+    bound = system.stable_step();
+    bound_length = rope_length(system.time());
+  }
+
+  // Short closing ropes hold the rods' tips more stiffly: the bound is found anew as they shorten.
+  void keep_bound_up_to_date() {
+    constexpr double kChange = 0.85;
+    if (scenario.solver.evaluation == Evaluation::full) return;
+    const double length = rope_length(system.time());
+    if (length < kChange * bound_length || kChange * length > bound_length) find_bound();
+  }
+
   // What limits the step at this time. Contacts never do: they are no stiffer than the step resolves.
-  StepLimit limit_at(double time) {
+  StepCause cause_at(double time) {
     constexpr double kNotable = 0.98;  // of the step of straight cords
-    if (allowed_step(time) < scenario.solver.safety * shape_step) return StepLimit::ropes;
-    return shape_step < kNotable * stable.step ? StepLimit::bends : StepLimit::elements;
+    if (allowed_step(time) < scenario.solver.safety * shape_step) return StepCause::ropes;
+    return shape_step < kNotable * bound.step ? StepCause::bends : StepCause::cables;
+  }
+
+  void note_smallest_step(double end) {
+    const double now = system.time();
+    smallest_step = time_step;
+    smallest_cause = static_cast<std::int64_t>(cause_at(allowed_step(end) < allowed_step(now) ? end : now));
+    smallest_limit = static_cast<std::int64_t>(bound.limit);
+    smallest_thread = bound.thread;
   }
 
   // What has limited the smallest step so far.
   std::string step_limit() const {
     if (scenario.solver.time_step > 0) return "solver.time_step";
-    if (smallest_limit == static_cast<std::int64_t>(StepLimit::ropes)) {
+    if (smallest_cause == static_cast<std::int64_t>(StepCause::ropes)) {
       return "waves in the closing ropes, the shorter the faster";
     }
-    if (smallest_limit == static_cast<std::int64_t>(StepLimit::bends)) return stable.limit + ", and bends of cords";
-    return stable.limit;
+    const bool none_yet = !std::isfinite(smallest_step);
+    const std::string cables =
+        none_yet ? limit_text(pocket.model, bound.limit, bound.thread)
+                 : limit_text(pocket.model, static_cast<StepLimit>(smallest_limit),
+                              static_cast<std::int32_t>(smallest_thread));
+    return smallest_cause == static_cast<std::int64_t>(StepCause::bends) ? cables + ", and bends of cords" : cables;
   }
 
   // Goes over to the laws of another scenario at the present time.
@@ -208,8 +237,16 @@ struct Simulation::Impl {
     visit_count(interval);
     visit_count(interval_steps);
     visit_count(steps_in_interval);
-    visit_count(smallest_limit);
-    for (double* value : {&time_step, &smallest_step, &wall, &cpu}) visit(*value);
+    std::int64_t limit = static_cast<std::int64_t>(bound.limit), thread = bound.thread;
+    for (std::int64_t* count : {&limit, &thread, &smallest_cause, &smallest_limit, &smallest_thread}) {
+      visit_count(*count);
+    }
+    bound.limit = static_cast<StepLimit>(limit);
+    bound.thread = static_cast<std::int32_t>(thread);
+    for (double* value : {&time_step, &smallest_step, &bound_length, &bound.step, &bound.stiffness, &bound.damping,
+                          &wall, &cpu}) {
+      visit(*value);
+    }
   }
 
   // Divides the interval that begins now into equal steps.
@@ -218,14 +255,12 @@ struct Simulation::Impl {
     const double length = frame / std::ceil(frame / kLongestInterval);
     ++interval;
     const double end = static_cast<double>(interval + 1) * length;
-    shape_step = system.stable_step_as_bent(stable);
+    keep_bound_up_to_date();
+    shape_step = system.stable_step_as_bent(bound);
     const double allowed = std::min(allowed_step(system.time()), allowed_step(end));
     interval_steps = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(length / allowed)));
     time_step = (end - static_cast<double>(interval) * length) / static_cast<double>(interval_steps);
-    if (time_step < smallest_step) {
-      smallest_step = time_step;
-      smallest_limit = static_cast<std::int64_t>(limit_at(allowed < allowed_step(system.time()) ? end : system.time()));
-    }
+    if (time_step < smallest_step) note_smallest_step(end);
     steps_in_interval = 0;
   }
 

@@ -22,51 +22,43 @@ struct ModeEnergy {
   double bending = 0;
 };
 
-// Derivatives of an element's strain with respect to the chord slope at fixed gradients, and to the gradients by
-// length.
-struct StrainGradient {
-  Eigen::Vector3d e, g1, g2;
-
-  StrainGradient(const BatchElement& element, const SlotVectors& q) {
-    const auto [s1, t1, s2, t2] = element.slot;
-    const Eigen::Vector3d chord = (q.get(s2) - q.get(s1)) / element.length;
-    const Eigen::Vector3d h1 = q.get(t1) - chord, h2 = q.get(t2) - chord;
-    e = chord - 0.1 * (h1 + h2);
-    g1 = (4 * h1 - h2) / 30;
-    g2 = (4 * h2 - h1) / 30;
+// By element, of unit length; zero where a cable has no chord.
+Vectors chord_directions(std::span<const BatchElement> elements, const SlotVectors& q) {
+  Vectors directions;
+  for (const BatchElement& element : elements) {
+    directions.push_back((q.get(element.slot[2]) - q.get(element.slot[0])).stableNormalized());
   }
-};
+  return directions;
+}
 
-double strain_change(const BatchElement& element, const SlotVectors& q, const Vectors& x) {
-  const auto [r1, g1, r2, g2] = element.slot;
-  const StrainGradient gradient(element, q);
-  return gradient.e.dot((x[r2] - x[r1]) / element.length) + gradient.g1.dot(x[g1]) + gradient.g2.dot(x[g2]);
+// Change of a straight element's strain.
+double strain_change(const BatchElement& element, const Eigen::Vector3d& direction, const Vectors& x) {
+  return direction.dot(x[element.slot[2]] - x[element.slot[0]]) / element.length;
 }
 
 // Adds (K + factor C) x of one element to `product`; K of the mean-strain element without tension.
-ModeEnergy add_element_product(std::span<const BatchElement> elements, std::size_t index, const SlotVectors& q,
+ModeEnergy add_element_product(std::span<const BatchElement> elements, std::size_t index, const Vectors& directions,
                                double factor, const Vectors& x, Vectors& product, ModeEnergy& damping) {
   const BatchElement& element = elements[index];
   const auto [r1, g1, r2, g2] = element.slot;
   const double inverse_length = 1 / element.length;
   const CableSection& section = element.section;
-  const auto [strain_e, strain_g1, strain_g2] = StrainGradient(element, q);
 
   const Eigen::Vector3d chord = (x[r2] - x[r1]) * inverse_length;
-  const double own = strain_e.dot(chord) + strain_g1.dot(x[g1]) + strain_g2.dot(x[g2]);
-  const double strain = element.mate < 0
-                            ? own
-                            : paired_strain(own, strain_change(elements[static_cast<std::size_t>(element.mate)], q, x));
+  const double own = directions[index].dot(chord);
+  const auto mate = static_cast<std::size_t>(element.mate);
+  const double strain =
+      element.mate < 0 ? own : paired_strain(own, strain_change(elements[mate], directions[mate], x));
   const double tension = section.EA * (1 + factor * section.axial_damping) * strain;
   const Eigen::Vector3d s = x[g1] - x[g2], a = x[g1] + x[g2] - 2 * chord;
   const double bending = section.EI * inverse_length * (1 + factor * section.bending_damping);
   const Eigen::Vector3d moment_s = bending * s, moment_a = 3 * bending * a;
 
-  const Eigen::Vector3d force2 = tension * strain_e - 2 * inverse_length * moment_a;
+  const Eigen::Vector3d force2 = tension * directions[index] - 2 * inverse_length * moment_a;
   product[r1] -= force2;
   product[r2] += force2;
-  product[g1] += tension * element.length * strain_g1 + moment_s + moment_a;
-  product[g2] += tension * element.length * strain_g2 - moment_s + moment_a;
+  product[g1] += moment_s + moment_a;
+  product[g2] += moment_a - moment_s;
 
   const ModeEnergy energy{section.EA * element.length * strain * own,
                           section.EI * inverse_length * (s.squaredNorm() + 3 * a.squaredNorm())};
@@ -89,6 +81,24 @@ Vectors start_vector(std::int32_t size) {
 
 }  // namespace
 
+std::string limit_text(const Model& model, StepLimit limit, std::int32_t thread) {
+  const auto index = static_cast<std::size_t>(thread);
+  const std::string name = index < model.threads.size() ? model.threads[index] : "the cables";
+  switch (limit) {
+    case StepLimit::axial_waves:
+      return "axial waves in " + name;
+    case StepLimit::bending_waves:
+      return "bending waves in " + name;
+    case StepLimit::full_element:
+      return "the full element's stiffness in " + name;
+    case StepLimit::kink:
+      return "a rod's kink";
+    case StepLimit::nothing:
+      break;
+  }
+  return "nothing moves";
+}
+
 double stable_step_of_mode(double stiffness, double damping) {
   if (stiffness <= 0) return std::numeric_limits<double>::infinity();
   return (std::sqrt(damping * damping + 4 * stiffness) - damping) / stiffness;
@@ -99,31 +109,29 @@ StableStep find_stable_step(const Model& model, const SlotLayout& layout, std::s
   constexpr int kIterations = 120;
   constexpr double kMargin = 1.02;  // the Rayleigh quotient approaches the highest square frequency from below
   Vectors x = start_vector(coordinates.size()), product(x.size());
+  const Vectors directions = chord_directions(elements, coordinates);
   double step = 1e-4;
-  StableStep result{.step = std::numeric_limits<double>::infinity(), .limit = "nothing moves"};
+  StableStep result{.step = std::numeric_limits<double>::infinity()};
   for (int iteration = 0; iteration < kIterations; ++iteration) {
     for (std::size_t i = 0; i < x.size(); ++i) {
       if (inverse_mass[i] == 0) x[i].setZero();
       product[i].setZero();
     }
     double kinetic = 0, potential = 0, dissipation = 0, largest = -1;
-    const auto consider = [&](double energy, const std::string& what, bool last) {
-      if (energy > largest) {
-        largest = energy;
-        if (last) result.limit = what;
-      }
+    const auto consider = [&](double energy, StepLimit limit, std::int32_t thread) {
+      if (energy <= largest) return;
+      largest = energy;
+      result.limit = limit;
+      result.thread = thread;
     };
-    const bool last = iteration == kIterations - 1;
     const double factor = 2 / step;
     ModeEnergy damping;
     for (std::size_t i = 0; i < elements.size(); ++i) {
-      const ModeEnergy energy = add_element_product(elements, i, coordinates, factor, x, product, damping);
+      const ModeEnergy energy = add_element_product(elements, i, directions, factor, x, product, damping);
       potential += energy.axial + energy.bending;
-      if (energy.axial + energy.bending > largest) {
-        const std::string& thread = model.threads[model.elements[i].thread];
-        consider(energy.axial + energy.bending,
-                 (energy.axial > energy.bending ? "axial waves in " : "bending waves in ") + thread, last);
-      }
+      consider(energy.axial + energy.bending,
+               energy.axial > energy.bending ? StepLimit::axial_waves : StepLimit::bending_waves,
+               model.elements[i].thread);
     }
     for (const Hinge& hinge : model.hinges) {
       const std::int32_t g1 = layout.gradient(hinge.gradient1), g2 = layout.gradient(hinge.gradient2);
@@ -133,7 +141,7 @@ StableStep find_stable_step(const Model& model, const SlotLayout& layout, std::s
       product[g1] -= stiffness * bend;
       potential += hinge.stiffness * bend.squaredNorm();
       dissipation += hinge.damping * bend.squaredNorm();
-      consider(hinge.stiffness * bend.squaredNorm(), "a rod's kink", last);
+      consider(hinge.stiffness * bend.squaredNorm(), StepLimit::kink, 0);
     }
     dissipation += damping.axial + damping.bending;
     double norm = 0;
@@ -220,7 +228,7 @@ double stable_step_of_element(const CableSection& section, double length, const 
 
 StableStep find_stable_step_of_full_elements(const Model& model, std::span<const BatchElement> elements,
                                              const SlotVectors& coordinates) {
-  StableStep result{.step = std::numeric_limits<double>::infinity(), .limit = "nothing moves"};
+  StableStep result{.step = std::numeric_limits<double>::infinity()};
   const std::vector<std::uint8_t> lumped = lumped_elements(model);
   const std::vector<HingeShare> hinges = hinge_shares(model);
   for (std::size_t i = 0; i < elements.size(); ++i) {
@@ -231,8 +239,9 @@ StableStep find_stable_step_of_full_elements(const Model& model, std::span<const
     Eigen::Matrix4d mass = consistent_mass(section.mass_per_length, elements[i].length);
     if (lumped[i] != 0) mass = lumped_mass(section.mass_per_length, elements[i].length).asDiagonal();
     const double step = stable_step_of_element<FullElement>(section, elements[i].length, mass, q, hinges[i]);
-    if (step < result.step)
-      result = {.step = step, .limit = "the full element's stiffness in " + model.threads[model.elements[i].thread]};
+    if (step < result.step) {
+      result = {.step = step, .limit = StepLimit::full_element, .thread = model.elements[i].thread};
+    }
   }
   return result;
 }

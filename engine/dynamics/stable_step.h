@@ -4,8 +4,8 @@
 // For a mode of frequency w and damping rate d the leapfrog step with damping at the last half step is stable up to
 //   dt = (sqrt(d^2 + 4 w^2) - d) / w^2,
 // from dt^2 w^2 + 2 d dt <= 4 (Belytschko, Liu & Moran, Nonlinear Finite Elements, section 6.2; lagged damping). The
-// limiting mode is found by power iteration on M^-1 (K + 2/dt C) of the model in its present shape, K without the
-// geometric stiffness of tensions, which is far smaller.
+// limiting mode is found by power iteration on M^-1 (K + 2/dt C) with every cable straight along its present chords, K
+// without the geometric stiffness of tensions. What bends and tensions add: CableSystem::stable_step_as_bent.
 
 #include <span>
 #include <string>
@@ -17,12 +17,19 @@
 
 namespace netpocket {
 
+// What a limiting mode mostly is.
+enum class StepLimit : std::uint8_t { nothing, axial_waves, bending_waves, full_element, kink };
+
 struct StableStep {
-  double step;        // s
-  std::string limit;  // e.g. "axial waves in panel 3 row 2"
+  double step;  // s
+  StepLimit limit = StepLimit::nothing;
+  std::int32_t thread = 0;  // in which the limiting mode takes most energy
   // Of the limiting mode, with the mean-strain evaluation: w^2 (1/s^2) and d (1/s).
   double stiffness = 0, damping = 0;
 };
+
+// E.g. "axial waves in panel 3 row 2".
+std::string limit_text(const Model& model, StepLimit limit, std::int32_t thread);
 
 // Stable step of one mode, s.
 double stable_step_of_mode(double stiffness, double damping);

@@ -77,8 +77,8 @@ TEST(ParameterTable, DeclaresEveryMember) {
     EXPECT_EQ(count("rope"), 7u);
   }
   {
-    [[maybe_unused]] const auto& [a, b, c, e, f, g, h, i, j, k, l, m, o] = rods;
-    EXPECT_EQ(count("rods"), 13u);
+    [[maybe_unused]] const auto& [a, b, c, e, f, g, h, i, j, k, l, m, o, p] = rods;
+    EXPECT_EQ(count("rods"), 14u);
   }
   {
     [[maybe_unused]] const auto& [a, b, c, e, f] = spacecraft;
