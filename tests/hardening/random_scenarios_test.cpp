@@ -1,7 +1,8 @@
 // Whatever valid scenario is given: the run ends with its energy accounted for or says truly why not, records nothing
 // that is not a number, and leaves no cord inside the target.
 //
-// What fails is kept as out/hardening/randomN.toml, for `netpocket run`; NETPOCKET_SCENARIO=N makes scenario N only.
+// What fails is kept as out/hardening/randomN.toml, for `netpocket run`; NETPOCKET_SCENARIOS=20-40 makes and keeps
+// those.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -121,7 +122,8 @@ std::string fault(const Outcome& run, const std::string& message) {
 
 class Trials {
  public:
-  explicit Trials(int wanted) : wanted_(wanted) {}
+  // `recorded`: in the table of trials.
+  Trials(int wanted, bool recorded) : wanted_(wanted), recorded_(recorded) {}
 
   bool enough() const { return made_ >= wanted_; }
   int missing() const { return wanted_ - made_; }
@@ -143,25 +145,29 @@ class Trials {
     const std::string problem = result.ended_well ? fault(run, result.text) : "its process ended: " + result.text;
     std::printf("scenario %d: %s%s\n", seed, result.text.c_str(), problem.empty() ? "" : " FAILED");
     std::fflush(stdout);
-    if (!problem.empty()) fail(seed, problem);
-    if (made_ % 10 == 0 || enough()) {
+    const std::string kept = keep(seed, !problem.empty() || !recorded_);
+    if (!problem.empty()) {
+      ++failed_;
+      ADD_FAILURE() << "scenario " << seed << " (" << kept << "): " << problem;
+    }
+    if (recorded_ && (made_ % 10 == 0 || enough())) {
       EXPECT_TRUE(record());
     }
   }
 
  private:
-  void fail(int seed, const std::string& problem) {
-    ++failed_;
-    int drawn = 0;
+  // Writes the scenario to where the program can be tried with it; returns its path.
+  static std::string keep(int seed, bool wanted) {
     const std::filesystem::path folder = NETPOCKET_SOURCE_DIR "/out/hardening";
+    const std::string path = folder / fmt::format("random{}.toml", seed);
+    if (!wanted) return path;
+    int drawn = 0;
     std::filesystem::create_directories(folder);
-    const std::string kept = folder / fmt::format("random{}.toml", seed);
-    std::ofstream(kept) << write_scenario_text(random_scenario(seed, drawn));
-    ADD_FAILURE() << "scenario " << seed << " (" << kept << "): " << problem;
+    std::ofstream(path) << write_scenario_text(random_scenario(static_cast<unsigned>(seed), drawn));
+    return path;
   }
 
   bool record() const {
-    if (wanted_ == 1) return true;
     return record_hardening(
         {"random valid scenarios, 2 simulated seconds each",
          fmt::format("{} scenarios ({} drawn, {} left out as longer than {} steps)", made_, drawn_, left_out_,
@@ -172,25 +178,31 @@ class Trials {
   }
 
   int wanted_, made_ = 0, drawn_ = 0, left_out_ = 0, finished_ = 0, diverged_ = 0, failed_ = 0;
+  bool recorded_;
   double worst_energy_ = 0, worst_depth_ = 0;
 };
 
 TEST(RandomScenariosHardening, EndWellOrSayWhy) {
   std::string folder = testing::TempDir() + "/random-XXXXXX";
   ASSERT_NE(mkdtemp(folder.data()), nullptr);
-  const char* chosen = std::getenv("NETPOCKET_SCENARIO");
-  Trials trials(chosen != nullptr ? 1 : trial_count(2, 500));
-  int next = chosen != nullptr ? std::atoi(chosen) : 1;
+  // Without a choice, numbers go on until enough runs were not left out.
+  const char* chosen = std::getenv("NETPOCKET_SCENARIOS");
+  int next = 1, last = 0;
+  if (chosen != nullptr && std::sscanf(chosen, "%d-%d", &next, &last) == 1) last = next;
+  Trials trials(chosen != nullptr ? last - next + 1 : trial_count(2, 500), chosen == nullptr);
   const auto trial = [&](int seed) {
     const std::string path = fmt::format("{}/{}.h5", folder, seed);
     const Outcome outcome = make(static_cast<unsigned>(seed), path);
     std::filesystem::remove(path);
     return outcome.line();
   };
-  while (!trials.enough()) {
-    const int last = next + trials.missing() - 1;
-    run_in_children(next, last, kMostSeconds, trial, [&](int seed, const ChildResult& r) { trials.add(seed, r); });
-    if (chosen != nullptr) break;
+  const auto take = [&](int seed, const ChildResult& result) { trials.add(seed, result); };
+  if (chosen != nullptr) {
+    run_in_children(next, last, kMostSeconds, trial, take);
+  }
+  while (chosen == nullptr && !trials.enough()) {
+    last = next + trials.missing() - 1;
+    run_in_children(next, last, kMostSeconds, trial, take);
     next = last + 1;
   }
   std::filesystem::remove_all(folder);
