@@ -161,8 +161,8 @@ double BroadPhase::displacement(std::span<const AlignedBox3d> elements, std::spa
 bool BroadPhase::update(std::span<const AlignedBox3d> elements, std::span<const PlacedShape> bodies) {
   if (elements.size() == built_elements_.size() && bodies.size() == built_bodies_.size() && rebuild_count_ > 0) {
     travelled_ = displacement(elements, bodies);
-    // Half of what is allowed: lists kept with less in hand would ask for the next update too soon.
-    if (travelled_ <= 0.25 * margin_) return false;
+    // Lists kept with less in hand would ask for the next update too soon.
+    if (travelled_ <= (0.5 - kLeastInHand) * margin_) return false;
   }
   rebuild(elements, bodies);
   return true;

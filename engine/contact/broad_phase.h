@@ -29,6 +29,8 @@ struct PlacedShape {
 
 class BroadPhase {
  public:
+  static constexpr double kLeastInHand = 0.1;
+
   // Throws std::invalid_argument unless element_count >= 0 and margin > 0 (m).
   BroadPhase(int element_count, double margin);
   ~BroadPhase();
@@ -41,8 +43,8 @@ class BroadPhase {
   bool advance(double distance);
 
   // Takes what has really moved since the lists were built, which is less than the sum of the distances when cords
-  // vibrate: keeps the lists if it is no more than a quarter of the margin, else rebuilds. True when it has rebuilt.
-  // Arguments and errors are those of rebuild.
+  // vibrate: keeps the lists if they can bear another kLeastInHand of the margin, else rebuilds. True when it has
+  // rebuilt. What moves from now on is to be noted by another advance. Arguments and errors are those of rebuild.
   bool update(std::span<const Eigen::AlignedBox3d> elements, std::span<const PlacedShape> bodies);
 
   // Builds the lists anew: one box per element that holds the whole cord, its radius included. Throws

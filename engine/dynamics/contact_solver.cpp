@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "engine/ancf/shape_functions.h"
-#include "engine/bodies/sector_sum.h"
 #include "engine/bodies/symmetric_algebra.h"
 
 namespace netpocket {
@@ -14,14 +13,15 @@ namespace {
 // Most steps between two surveys of which elements are near a body, and the farthest (m) that anything may travel
 // between them.
 constexpr int kLongestSurveyInterval = 16;
-constexpr double kLongestTravel = 0.05;
+constexpr double kLongestTravel = 0.03;
 // Clearance (m) below which an element counts as near, besides what it may move until the next survey.
 constexpr double kNearMargin = 0.02;
 // Inflation (m) of the boxes in the broad phase.
 constexpr double kBroadMargin = 0.3;
+static_assert(kLongestTravel <= BroadPhase::kLeastInHand * kBroadMargin);
 
-Eigen::Vector3d combine(const SlotVectors& vectors, const std::array<std::int32_t, 4>& slot,
-                        const std::array<double, 4>& weight) {
+inline Eigen::Vector3d combine(const SlotVectors& vectors, const std::array<std::int32_t, 4>& slot,
+                               const std::array<double, 4>& weight) {
   return ((weight[0] * vectors.get(slot[0]) + weight[1] * vectors.get(slot[1])) +
           (weight[2] * vectors.get(slot[2]) + weight[3] * vectors.get(slot[3])));
 }
@@ -143,9 +143,12 @@ void ContactSolver::survey(const SlotVectors& coordinates, const SlotVectors& ve
     steps_to_survey_ = std::max(1, static_cast<int>(kLongestTravel / travel_per_step));
   }
   const double travel = travel_per_step * steps_to_survey_;
-  if (broad_phase_.advance(travel) && !update_broad_phase(coordinates, element_length, bodies)) {
-    for (std::vector<std::int32_t>& near : near_) near.clear();
-    return;
+  if (broad_phase_.advance(travel)) {
+    if (!update_broad_phase(coordinates, element_length, bodies)) {
+      for (std::vector<std::int32_t>& near : near_) near.clear();
+      return;
+    }
+    broad_phase_.advance(travel);
   }
   approach_per_step_ = 2 * travel_per_step;
   const double margin = kNearMargin + 2 * travel;
@@ -177,6 +180,7 @@ void ContactSolver::find_contacts(const SlotVectors& coordinates, const std::vec
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const Eigen::Vector3d centre = bodies[b].centre();
     const Eigen::Matrix3d& rotation = bodies[b].rigid().rotation();
+    const Sphere* sphere = std::get_if<Sphere>(&model_.bodies[b].shape);
     for (const std::int32_t element : near_[b]) {
       if (due_[b][element] > approach_) continue;
       const double length = element_length[element];
@@ -185,6 +189,11 @@ void ContactSolver::find_contacts(const SlotVectors& coordinates, const std::vec
         const std::array<double, 4> weight = samples_[i].weights(length);
         const Eigen::Vector3d point = combine(coordinates, slots_[element], weight);
         double distance = 0;
+        if (sphere != nullptr) {  // most points are not that near: no need to turn into body axes
+          distance = symmetric_norm(point - centre) - sphere->radius;
+          least = std::min(least, distance);
+          if (distance >= radius_[element]) continue;
+        }
         const auto nearest =
             trackers_[b].nearest(element * samples_.size() + i, symmetric_transposed_product(rotation, point - centre),
                                  radius_[element], distance);
@@ -226,22 +235,26 @@ Eigen::Vector3d ContactSolver::relative_velocity(const Contact& contact, const S
   return combine(velocities, contact.slot, contact.weight) - body.rigid().velocity_at(contact.point);
 }
 
-NormalLaw ContactSolver::law(const Contact& contact, double dt) const {
-  const Pair& pair = pairs_[contact.body][contact.element];
-  const double stiffness = std::min(pair.stiffness, resolved_stiffness(pair.mass, dt));
-  return {stiffness, damping_ * std::sqrt(stiffness * pair.mass)};
+const NormalLaw& ContactSolver::law(const Contact& contact, double dt) {
+  Pair& pair = pairs_[contact.body][contact.element];
+  if (pair.law_step != dt) {
+    const double stiffness = std::min(pair.stiffness, resolved_stiffness(pair.mass, dt));
+    pair.law = {stiffness, damping_ * std::sqrt(stiffness * pair.mass)};
+    pair.law_step = dt;
+  }
+  return pair.law;
 }
 
 void ContactSolver::set_force(Contact& contact, const SlotVectors& velocities, const ContactedSlots& contacted,
-                              std::span<const double> inverse_mass, const DynamicBody& body, double dt) const {
+                              std::span<const double> inverse_mass, const DynamicBody& body, double dt) {
   const double cable_inverse_mass = contacted.inverse_mass(contact.slot, contact.weight, inverse_mass);
   const double arm = symmetric_norm(contact.point - body.rigid().position());
   const double w = cable_inverse_mass + contacts_on_body_[contact.body] * body.inverse_mass_bound(arm);
-  const Eigen::Vector3d before = relative_velocity(contact, velocities, body);
+  contact.velocity = relative_velocity(contact, velocities, body);
   const Eigen::Vector3d after = relative_velocity(contact, contacted.predicted(), body);
   const double separation_speed = symmetric_dot(after, contact.normal);
   const double normal_force = stepped_normal_force(law(contact, dt), contact.penetration,
-                                                   {symmetric_dot(before, contact.normal), separation_speed}, w, dt);
+                                                   {symmetric_dot(contact.velocity, contact.normal), separation_speed}, w, dt);
   const Eigen::Vector3d sliding = after - separation_speed * contact.normal;
   const double resistance =
       sliding_resistance(settings_.friction, settings_.friction_velocity, normal_force, symmetric_norm(sliding), w, dt);
@@ -251,19 +264,27 @@ void ContactSolver::set_force(Contact& contact, const SlotVectors& velocities, c
 void ContactSolver::add_forces(const SlotVectors& velocities, const ContactedSlots& contacted,
                                std::span<const double> inverse_mass, const std::vector<DynamicBody>& bodies, double dt,
                                SlotVectors& applied, std::vector<Wrench>& wrenches) {
-  std::vector<SectorSum<Eigen::Vector3d>> force(bodies.size(), SectorSum<Eigen::Vector3d>(Eigen::Vector3d::Zero()));
-  auto torque = force;
+  const SectorSum<Eigen::Vector3d> nothing(Eigen::Vector3d::Zero());
+  sums_.assign(contacts_.empty() ? 0 : bodies.size(), {nothing, nothing});
   for (Contact& contact : contacts_) {
     const DynamicBody& body = bodies[contact.body];
     set_force(contact, velocities, contacted, inverse_mass, body, dt);
     for (int i = 0; i < 4; ++i) applied.add(contact.slot[i], contact.weight[i] * contact.force);
-    force[contact.body].add(contact.element, -contact.force);
-    torque[contact.body].add(contact.element, (contact.point - body.rigid().position()).cross(-contact.force));
+    auto& [force, torque] = sums_[contact.body];
+    force.add(contact.element, -contact.force);
+    torque.add(contact.element, (contact.point - body.rigid().position()).cross(-contact.force));
   }
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    body_force_[b] = force[b].total();
-    wrenches[b] += Wrench{body_force_[b], torque[b].total()};
+  std::ranges::fill(body_force_, Eigen::Vector3d::Zero());
+  for (std::size_t b = 0; b < sums_.size(); ++b) {
+    body_force_[b] = sums_[b].force.total();
+    wrenches[b] += Wrench{body_force_[b], sums_[b].torque.total()};
   }
+}
+
+double ContactSolver::dissipated_power() const {
+  double power = 0;
+  for (const Contact& contact : contacts_) power -= symmetric_dot(contact.force, contact.velocity);
+  return power;
 }
 
 double ContactSolver::dissipated_power(const SlotVectors& velocities, const std::vector<DynamicBody>& bodies) const {

@@ -13,6 +13,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/bodies/sector_sum.h"
 #include "engine/contact/broad_phase.h"
 #include "engine/contact/force_law.h"
 #include "engine/contact/surface_tracker.h"
@@ -45,6 +46,8 @@ class ContactSolver {
 
   // Power that the contacts take out of the motion at these velocities (W); positive when they dissipate.
   double dissipated_power(const SlotVectors& velocities, const std::vector<DynamicBody>& bodies) const;
+  // The same at the velocities given to add_forces.
+  double dissipated_power() const;
 
   // Contacts that bear force.
   std::vector<ContactPoint> contacts() const;
@@ -63,6 +66,8 @@ class ContactSolver {
   struct Pair {        // an element and a body
     double stiffness;  // K of the materials, N/m^1.5
     double mass;       // m_eff, kg
+    double law_step = 0;  // s, for which `law` holds
+    NormalLaw law{};
   };
   struct Contact {
     std::int32_t element, body;
@@ -71,7 +76,11 @@ class ContactSolver {
     Eigen::Vector3d point;   // m, on the cable's axis: where the force acts on both, so that their moments balance
     Eigen::Vector3d normal;  // outward from the body
     double penetration;      // m
-    Eigen::Vector3d force = Eigen::Vector3d::Zero();  // N, on the cable
+    Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  // m/s, of the cable relative to the body, before the step
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();     // N, on the cable
+  };
+  struct BodySums {
+    SectorSum<Eigen::Vector3d> force, torque;  // N, N m
   };
   void survey(const SlotVectors& coordinates, const SlotVectors& velocities, const std::vector<double>& element_length,
               const std::vector<DynamicBody>& bodies, double dt);
@@ -85,9 +94,9 @@ class ContactSolver {
   // of it where that is more than `reach`.
   double clearance(const SlotVectors& coordinates, double length, std::int32_t element, std::int32_t body,
                    const DynamicBody& dynamic, double reach);
-  NormalLaw law(const Contact& contact, double dt) const;
+  const NormalLaw& law(const Contact& contact, double dt);
   void set_force(Contact& contact, const SlotVectors& velocities, const ContactedSlots& contacted,
-                 std::span<const double> inverse_mass, const DynamicBody& body, double dt) const;
+                 std::span<const double> inverse_mass, const DynamicBody& body, double dt);
   Eigen::Vector3d relative_velocity(const Contact& contact, const SlotVectors& velocities,
                                     const DynamicBody& body) const;
 
@@ -109,6 +118,7 @@ class ContactSolver {
   std::vector<Contact> contacts_;
   std::vector<int> contacts_on_body_;
   int steps_to_survey_ = 0;
+  std::vector<BodySums> sums_;  // by body; empty without contacts
   std::vector<Eigen::Vector3d> body_force_;
   double deepest_penetration_ = 0;
 };

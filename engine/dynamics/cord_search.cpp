@@ -80,6 +80,20 @@ double CordSearch::fastest(const SlotVectors& velocities) const {
   return std::sqrt(node) + std::sqrt(gradient);
 }
 
+// Likewise, of the way (m) of any point since the last call.
+double CordSearch::take_way(const SlotVectors& coordinates) {
+  double way = 0;
+  if (surveyed_.size() == coordinates.size() && node_count_ != 0 && quarter_length_.size() != 0) {
+    const auto gradients = static_cast<std::int32_t>(quarter_length_.size());
+    const double node = coordinates.squared_distances(surveyed_, 0, node_count_).maxCoeff();
+    const double gradient =
+        (quarter_length_.square() * coordinates.squared_distances(surveyed_, first_gradient_, gradients)).maxCoeff();
+    way = std::sqrt(node) + std::sqrt(gradient);
+  }
+  surveyed_ = coordinates;
+  return way;
+}
+
 bool CordSearch::update_candidates(const SlotVectors& coordinates, const std::vector<double>& element_length) {
   std::vector<AlignedBox3d> boxes;
   boxes.reserve(radius_.size());
@@ -150,18 +164,27 @@ void CordSearch::survey(const SlotVectors& coordinates, const SlotVectors& veloc
   // Twice the present speed for what speeds up meanwhile.
   travel_per_step_ = 2 * fastest(velocities) * dt;
   steps_to_survey_ = kLongestSurveyInterval;
-  if (travel_per_step_ * kLongestSurveyInterval > kLongestTravel) {
-    steps_to_survey_ = std::max(1, static_cast<int>(kLongestTravel / travel_per_step_));
+  const double longest_travel = std::min(kLongestTravel, BroadPhase::kLeastInHand * broad_phase_.margin());
+  if (travel_per_step_ * kLongestSurveyInterval > longest_travel) {
+    steps_to_survey_ = std::max(1, static_cast<int>(longest_travel / travel_per_step_));
   }
   const double travel = travel_per_step_ * steps_to_survey_;
+  const double way = take_way(coordinates);
+  travelled_ += way;
   for (const std::int32_t element : near_elements_) near_place_[static_cast<std::size_t>(element)] = -1;
   near_elements_.clear();
   near_.clear();
-  if (broad_phase_.advance(travel) && !update_candidates(coordinates, element_length)) {
-    candidates_.clear();
-    forget();
-    sides_.clear();
-    return;
+  // What the lists were expected to have to bear until now gives way to what it was.
+  const bool outdated = broad_phase_.advance(way - expected_way_ + travel);
+  expected_way_ = travel;
+  if (outdated) {
+    if (!update_candidates(coordinates, element_length)) {
+      candidates_.clear();
+      forget();
+      sides_.clear();
+      return;
+    }
+    broad_phase_.advance(travel);
   }
   const double reach = kNearMargin + 2 * travel;
   for (Candidate& candidate : candidates_) {
@@ -170,7 +193,6 @@ void CordSearch::survey(const SlotVectors& coordinates, const SlotVectors& veloc
     candidate.clear_until = travelled_ + 0.5 * gap;
     if (gap < reach) add_near_segments(coordinates, element_length, candidate, reach);
   }
-  travelled_ += travel;
   sort_sides();
 }
 

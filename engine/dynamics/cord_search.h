@@ -58,6 +58,7 @@ class CordSearch {
   void survey(const SlotVectors& coordinates, const SlotVectors& velocities, const std::vector<double>& element_length,
               double dt);
   double fastest(const SlotVectors& velocities) const;
+  double take_way(const SlotVectors& coordinates);
   // False when the state is lost: then there is nothing to look for.
   bool update_candidates(const SlotVectors& coordinates, const std::vector<double>& element_length);
   // Least gap that two elements can have, by their chords and how far the curves are off them, m.
@@ -75,7 +76,9 @@ class CordSearch {
   Eigen::ArrayXd quarter_length_;  // m, by gradient, of the longest element there
   BroadPhase broad_phase_;
   std::vector<Candidate> candidates_;
-  double travelled_ = 0;  // m, bound of the way of any point so far
+  SlotVectors surveyed_;      // coordinates at the last survey
+  double travelled_ = 0;      // m, bound of the way of any point up to then
+  double expected_way_ = 0;   // m, that the broad phase was told to expect since then
   double travel_per_step_ = 0;
   int steps_to_survey_ = 0;
   std::vector<std::int32_t> near_elements_;

@@ -39,6 +39,15 @@ class SlotVectors {
     };
     return (component(x_).square() + component(z_).square()) + component(y_).square();
   }
+  // Likewise of how far they are from those of `other`.
+  auto squared_distances(const SlotVectors& other, std::int32_t first, std::int32_t count) const {
+    const auto component = [&](const AlignedVector<double>& now, const AlignedVector<double>& before) {
+      return (Eigen::Map<const Eigen::ArrayXd>(now.data() + first, count) -
+              Eigen::Map<const Eigen::ArrayXd>(before.data() + first, count))
+          .square();
+    };
+    return (component(x_, other.x_) + component(z_, other.z_)) + component(y_, other.y_);
+  }
 
  private:
   AlignedVector<double> x_, y_, z_;
