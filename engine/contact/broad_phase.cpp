@@ -82,11 +82,11 @@ std::vector<std::pair<int, int>> sorted(const std::vector<std::pair<int, int>>& 
   return result;
 }
 
-// Pairs of boxes within `margin` of each other along every axis, by a sweep along y (Cohen, Lin, Manocha & Ponamgi
+// Pairs of boxes within `margin` of each other along every axis, by a sweep along x (Cohen, Lin, Manocha & Ponamgi
 // 1995, doi:10.1145/199404.199437): for all pairs of a net less work than the tree's.
 std::vector<std::pair<int, int>> near_pairs(std::span<const AlignedBox3d> boxes, double margin) {
   struct Entry {
-    double low_y, high_y, low_x, high_x, low_z, high_z;
+    double low_x, high_x, low_y, high_y, low_z, high_z;
     int index;
   };
   std::vector<Entry> entries;
@@ -94,13 +94,13 @@ std::vector<std::pair<int, int>> near_pairs(std::span<const AlignedBox3d> boxes,
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     const Vector3d &low = boxes[i].min(), &high = boxes[i].max();
     entries.push_back(
-        {low.y(), high.y() + margin, low.x(), high.x() + margin, low.z(), high.z() + margin, static_cast<int>(i)});
+        {low.x(), high.x() + margin, low.y(), high.y() + margin, low.z(), high.z() + margin, static_cast<int>(i)});
   }
-  std::ranges::sort(entries, {}, &Entry::low_y);
+  std::ranges::sort(entries, {}, &Entry::low_x);
   std::vector<std::pair<int, int>> pairs;
   for (auto a = entries.begin(); a != entries.end(); ++a) {
-    for (auto b = a + 1; b != entries.end() && b->low_y <= a->high_y; ++b) {
-      if (b->low_x > a->high_x || a->low_x > b->high_x || b->low_z > a->high_z || a->low_z > b->high_z) continue;
+    for (auto b = a + 1; b != entries.end() && b->low_x <= a->high_x; ++b) {
+      if (b->low_y > a->high_y || a->low_y > b->high_y || b->low_z > a->high_z || a->low_z > b->high_z) continue;
       pairs.emplace_back(std::minmax(a->index, b->index));
     }
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/ancf/mass.h"
+#include "engine/ancf/strain_pair.h"
 #include "engine/dynamics/cable_system_impl.h"
 
 namespace netpocket {
@@ -104,15 +105,10 @@ void CableSystem::Impl::collect_mass() {
   for (std::size_t i = 0; i < model.nodes.size(); ++i) {
     constant_mass[layout.position(static_cast<std::int32_t>(i))] = model.nodes[i].point_mass;
   }
-  for (std::size_t i = 0; i < elements.size(); ++i) {
-    const BatchElement& element = elements[i];
+  for (const BatchElement& element : elements) {
     if (element.variable) continue;
     NodalWeights lump = lumped_mass(element.section.mass_per_length, element.length);
-    if (options.evaluation == ElementEvaluation::mean_strain) {
-      const double slope_inertia = model.materials[model.elements[i].material].slope_inertia;
-      lump[1] *= slope_inertia;
-      lump[3] *= slope_inertia;
-    }
+    if (element.mate >= 0) move_from_middle(lump, ends_at_mate(element));
     for (int corner = 0; corner < 4; ++corner) constant_mass[element.slot[corner]] += lump[corner];
   }
   mass = constant_mass;
@@ -120,6 +116,11 @@ void CableSystem::Impl::collect_mass() {
   for (std::int32_t slot = 0; slot < layout.size(); ++slot) {
     inverse_mass[slot] = moves(slot) && mass[slot] > 0 ? 1 / mass[slot] : 0;
   }
+}
+
+// Whether an element's second node is the middle one of its pair.
+bool CableSystem::Impl::ends_at_mate(const BatchElement& element) const {
+  return element.slot[2] == elements[static_cast<std::size_t>(element.mate)].slot[0];
 }
 
 bool CableSystem::Impl::moves(std::int32_t slot) const {
@@ -150,7 +151,8 @@ void CableSystem::Impl::set_constant_loads() {
     constant_load.set(layout.position(static_cast<std::int32_t>(i)), node.load + node.point_mass * model.gravity);
   }
   for (const BatchElement& element : elements) {
-    const NodalWeights weight = uniform_load(element.length);
+    NodalWeights weight = uniform_load(element.length);
+    if (element.mate >= 0 && !element.variable) move_from_middle(weight, ends_at_mate(element));
     for (int corner = 0; corner < 4; ++corner) {
       constant_load.add(element.slot[corner], element.section.mass_per_length * weight[corner] * model.gravity);
     }

@@ -80,6 +80,7 @@ struct CableSystem::Impl {
   void collect_mass();
   void update_ropes();
   bool moves(std::int32_t slot) const;
+  bool ends_at_mate(const BatchElement& element) const;
   void set_constant_loads();
   template <typename Function>
   void for_chunks(int blocks, const Function& function);

@@ -106,7 +106,8 @@ double stable_step_of_mode(double stiffness, double damping) {
 
 StableStep find_stable_step(const Model& model, const SlotLayout& layout, std::span<const BatchElement> elements,
                             std::span<const double> inverse_mass, const SlotVectors& coordinates) {
-  constexpr int kIterations = 120;
+  constexpr int kIterations = 120, kLeastIterations = 30;
+  constexpr double kSettled = 2e-5;  // relative change of the step by an iteration
   constexpr double kMargin = 1.02;  // the Rayleigh quotient approaches the highest square frequency from below
   Vectors x = start_vector(coordinates.size()), product(x.size());
   const Vectors directions = chord_directions(elements, coordinates);
@@ -155,8 +156,10 @@ StableStep find_stable_step(const Model& model, const SlotLayout& layout, std::s
     for (Eigen::Vector3d& v : x) v /= norm;
     result.stiffness = kMargin * potential / kinetic;
     result.damping = kMargin * dissipation / kinetic;
+    const double before = step;
     result.step = step = stable_step_of_mode(result.stiffness, result.damping);
     if (!std::isfinite(step)) return result;
+    if (iteration >= kLeastIterations && std::abs(step - before) < kSettled * step) break;
   }
   return result;
 }

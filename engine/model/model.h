@@ -51,9 +51,6 @@ struct CableMaterial {
   double radius = 0;          // m, outer, for contact and drawing
   double youngs_modulus = 0;  // Pa, for the contact stiffness
   double poisson_ratio = 0;
-  // Multiple of the lumped inertia of gradients, for larger steps where bending limits them; mean-strain evaluation only
-  // (selective mass scaling; Key & Beisinger 1971).
-  double slope_inertia = 1;
   // Inflated tube: moment beyond which its wall wrinkles (ancf/wrinkling.h), N m. None by default; a run can change it.
   double wrinkling_moment = std::numeric_limits<double>::infinity();
 };

@@ -40,7 +40,6 @@ CableMaterial rod_material(const RodParameters& rods, double wall) {
           .radius = outer / 2,
           .youngs_modulus = rods.youngs_modulus,
           .poisson_ratio = rods.poisson_ratio,
-          .slope_inertia = rods.slope_inertia,
           .wrinkling_moment = rods.pressure > 0 ? wrinkling_moment(rods.pressure, (outer + inner) / 4)
                                                 : std::numeric_limits<double>::infinity()};
 }

@@ -137,7 +137,8 @@ void PocketBuilder::add_rods() {
     upper_rows_.push_back(rod_node((1 - part) * kink.x() + part * tip.x(), (1 - part) * kink.y() + part * tip.y()));
   }
 
-  const int per_side = scenario_.pocket.elements_per_side;
+  const int own = scenario_.rods.elements_per_side;
+  const int per_side = own > 0 ? own : scenario_.pocket.elements_per_side;
   std::vector<SectorIndex> knots = {root_};
   knots.insert(knots.end(), lower_rows_.rbegin(), lower_rows_.rend());
   std::vector<int> divisions(knots.size() - 1, per_side);

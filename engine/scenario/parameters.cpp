@@ -167,7 +167,7 @@ constexpr std::array kParameters = {
     parameter<kRods, &Rod::poisson_ratio>("rods.poisson_ratio", above(-1, 0.5), "", "Poisson's ratio, for the contact stiffness", kTable2),
     parameter<kRods, &Rod::axial_damping>("rods.axial_damping", within(0, 1), "s", "c of the axial force EA (eps + c epsdot)", kAssumption),
     parameter<kRods, &Rod::bending_damping>("rods.bending_damping", within(0, 10), "s", "c of the bending moment EI (kappa + c kappadot)", kAssumption),
-    parameter<kRods, &Rod::slope_inertia>("rods.slope_inertia", within(1, 100), "", "multiple of the lumped inertia of the rods' slopes, which allows larger steps: 10 slows the first bending of a rod by 0.2 %; mean_strain only", "assumption; THEORY.md"),
+    parameter<kRods, &Rod::elements_per_side>("rods.elements_per_side", within(0, 64), "", "elements of a rod between two rows of the net; 0: as pocket.elements_per_side", kAssumption),
     parameter<kRods, &Rod::pressure>("rods.pressure", within(0, 1e8), "Pa", "pressure of the gas inside, beyond whose wrinkling moment pi p r^3/2 a rod softens; 0: does not wrinkle", "assumption; law: Comer & Levy 1963"),
     parameter<kRods, &Rod::hinge_stiffness>("rods.hinge_stiffness", within(0, 1e9), "N m/rad", "stiffness of the joint at the kink", kAssumption),
     parameter<kRods, &Rod::hinge_damping>("rods.hinge_damping", within(0, 1e6), "N m s/rad", "damping of the joint at the kink", kAssumption),

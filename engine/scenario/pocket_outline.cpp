@@ -33,8 +33,10 @@ double largest_element_count(const Scenario& scenario) {
   const double square_sides = (rows + 1) * columns + rows * (columns + 1);
   const double triangle_sides = 3 * columns * (columns + 1) / 2;
   const double rod_sides = rows + columns;
-  const double sides = square_sides + triangle_sides + rod_sides;
-  return pocket.rod_count * (sides * pocket.elements_per_side + scenario.closing.elements);
+  const int rod_elements =
+      scenario.rods.elements_per_side > 0 ? scenario.rods.elements_per_side : pocket.elements_per_side;
+  const double net = (square_sides + triangle_sides) * pocket.elements_per_side;
+  return pocket.rod_count * (net + rod_sides * rod_elements + scenario.closing.elements);
 }
 
 }  // namespace netpocket

@@ -47,7 +47,7 @@ struct RodParameters {
   double poisson_ratio = 0.3;
   double axial_damping = 1e-5;    // s
   double bending_damping = 1e-5;  // s
-  double slope_inertia = 1;       // multiple of the lumped inertia of slopes
+  int elements_per_side = 0;      // elements between two rows of the net; 0: as the net's
   double pressure = 0;            // Pa, of the gas inside; 0: the wall does not wrinkle
   double hinge_stiffness = 48;    // N m/rad, of the kink
   double hinge_damping = 0.5;     // N m s/rad

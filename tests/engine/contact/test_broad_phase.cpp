@@ -189,15 +189,15 @@ TEST(BroadPhase, UpdateSeesElementsAndBodiesMoveAndTurn) {
   EXPECT_FALSE(broad_phase.update(room.boxes(), room.bodies()));
 
   std::vector<AlignedBox3d> boxes = room.boxes();
-  boxes[42].max().z() += 0.2 * margin;
+  boxes[42].max().z() += 0.35 * margin;
   EXPECT_FALSE(broad_phase.update(boxes, room.bodies()));
   boxes[42].max().z() += 0.1 * margin;
   EXPECT_TRUE(broad_phase.update(boxes, room.bodies()));
 
   std::vector<PlacedShape> bodies = room.bodies();
-  bodies[1].position.y() -= 0.3 * margin;
+  bodies[1].position.y() -= 0.45 * margin;
   EXPECT_TRUE(broad_phase.update(boxes, bodies));
-  const double angle = 0.3 * margin / bounding_radius(bodies[2].shape);
+  const double angle = 0.45 * margin / bounding_radius(bodies[2].shape);
   bodies[2].rotation = bodies[2].rotation * Eigen::AngleAxisd(angle, Vector3d::UnitX());
   EXPECT_TRUE(broad_phase.update(boxes, bodies));
   EXPECT_EQ(broad_phase.rebuild_count(), 4);

@@ -63,9 +63,9 @@ TEST(ScenarioFiles, LowKinkIsTheDefault) { EXPECT_TRUE(differences(load("low_kin
 // The file's head says which.
 TEST(ScenarioFiles, CaseOneDepartsFromTheDefaultsInItsPocketOnly) {
   EXPECT_EQ(differences(load("case1.toml"), Scenario()),
-            (std::vector<std::string_view>{"rods.profile", "rods.wall_lower", "rods.wall_upper", "rods.hinge_stiffness",
-                                           "target.radius", "contact.friction", "towing.offset",
-                                           "towing.offset_angle"}));
+            (std::vector<std::string_view>{"rods.profile", "rods.wall_lower", "rods.wall_upper",
+                                           "rods.elements_per_side", "rods.hinge_stiffness", "target.radius",
+                                           "contact.friction", "towing.offset", "towing.offset_angle"}));
 }
 
 TEST(ScenarioFiles, PaperCasesDifferOnlyInTheClosingTime) {
