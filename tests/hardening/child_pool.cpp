@@ -1,5 +1,6 @@
 #include "tests/hardening/child_pool.h"
 
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -24,6 +25,7 @@ struct Child {
 constexpr std::size_t kLongestResult = 4096;
 
 [[noreturn]] void be_child(int trial, unsigned seconds, const ChildTrial& make, int pipe) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // not to outlive the trials
   const rlimit time = {seconds, seconds};
   setrlimit(RLIMIT_CPU, &time);
   std::string text;
