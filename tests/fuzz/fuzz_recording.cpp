@@ -38,7 +38,7 @@ class MemoryFile {
 const std::string& sound_recording() {
   static const std::string bytes = [] {
     const TemporaryFolder folder;
-    write_synthetic_run(folder.file("run.h5"), 3, 4);
+    write_synthetic_run(folder.file("run.h5"), 3, 4, 20);
     return read_bytes(folder.file("run.h5"));
   }();
   return bytes;

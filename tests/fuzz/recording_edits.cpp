@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <functional>
 #include <iterator>
+#include <numeric>
 #include <vector>
 
 namespace netpocket {
@@ -132,7 +134,24 @@ void replace_table(hid_t file, Source& source) {
   H5Pclose(properties);
 }
 
+// Writes a number of either kind at a place of a table.
+void write_number(hid_t table, hid_t space, double number, std::int64_t integer) {
+  const hid_t type = H5Dget_type(table);
+  const H5T_class_t kind = H5Tget_class(type);
+  if (kind != H5T_STRING) {
+    const hid_t memory = H5Screate(H5S_SCALAR);
+    const bool real = kind == H5T_FLOAT;
+    H5Dwrite(table, real ? H5T_NATIVE_DOUBLE : H5T_NATIVE_INT64, memory, space, H5P_DEFAULT,
+             real ? static_cast<const void*>(&number) : &integer);
+    H5Sclose(memory);
+  }
+  H5Tclose(type);
+}
+
 void change_number(hid_t file, Source& source) {
+  // To write into a table HDF5 makes an index of all its chunks in memory, whatever its size; an edit replaces tables
+  // by ones of any size.
+  constexpr double kMostNumbers = 1 << 20;
   const hid_t table = H5Dopen2(file, source.pick(kTables), H5P_DEFAULT);
   if (table < 0) return;
   const hid_t space = H5Dget_space(table);
@@ -141,16 +160,11 @@ void change_number(hid_t file, Source& source) {
   for (int i = 0; i < 3; ++i) at[i] = size[i] > 0 ? source.take<std::uint16_t>() % size[i] : 0;
   const auto number = source.take<double>();
   const auto integer = source.take<std::int64_t>();
-  const hid_t type = H5Dget_type(table);
-  const H5T_class_t kind = H5Tget_class(type);
-  if (kind != H5T_STRING && H5Sselect_hyperslab(space, H5S_SELECT_SET, at, nullptr, one, nullptr) >= 0) {
-    const hid_t memory = H5Screate(H5S_SCALAR);
-    const bool real = kind == H5T_FLOAT;
-    H5Dwrite(table, real ? H5T_NATIVE_DOUBLE : H5T_NATIVE_INT64, memory, space, H5P_DEFAULT,
-             real ? static_cast<const void*>(&number) : &integer);
-    H5Sclose(memory);
+  const double numbers = std::accumulate(size, size + H5Sget_simple_extent_ndims(space), 1.0, std::multiplies<>());
+  const bool is_small = numbers <= kMostNumbers;
+  if (is_small && H5Sselect_hyperslab(space, H5S_SELECT_SET, at, nullptr, one, nullptr) >= 0) {
+    write_number(table, space, number, integer);
   }
-  H5Tclose(type);
   H5Sclose(space);
   H5Dclose(table);
 }

@@ -138,6 +138,24 @@ TEST(Robustness, DamageIsFoundByVerify) {
   EXPECT_EQ(result.exit_code, 3) << result.out;
 }
 
+// Names that a shell would take for commands, of files and in files, stay names.
+TEST(Robustness, NoShellSeesNames) {
+  const TestFolder folder;
+  const std::string trap = "$(touch " + folder.file("trapped") + ")`touch " + folder.file("trapped") + "`;'\"|&";
+  const std::string name = "x $(touch trapped) `touch trapped` ;touch trapped; '";
+  const std::string scenario = folder.write("own $(touch trapped);.toml", "name = '''" + trap + "'''\n");
+  const std::string run = folder.file(name + ".h5"), video = folder.file(name + ".mp4");
+  const auto expect_done = [](const std::vector<std::string>& arguments) {
+    const auto result = run_program(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.error;
+  };
+  expect_done({"run", scenario, "-o", run, "--until", "0.1"});
+  expect_done({"render", run, "--video", video, "--size", "64x64"});
+  EXPECT_TRUE(std::filesystem::exists(video));
+  EXPECT_FALSE(std::filesystem::exists(folder.file("trapped")));
+  EXPECT_FALSE(std::filesystem::exists("trapped"));
+}
+
 TEST(Robustness, TheLogSaysWhatWasRun) {
   const TestFolder folder;
   const std::string path = short_recording(folder);

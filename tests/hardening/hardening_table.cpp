@@ -24,15 +24,28 @@ constexpr const char* kHeader =
     "| trial | count | outcome | commit |\n"
     "| --- | --- | --- | --- |\n";
 
-std::string commit() {
+std::string output_of(const char* command) {
   std::string text;
-  FILE* pipe = popen("git -C " NETPOCKET_SOURCE_DIR " describe --always --dirty 2>/dev/null", "r");
-  if (pipe == nullptr) return "unknown";
+  FILE* pipe = popen(command, "r");
+  if (pipe == nullptr) return text;
   for (char line[128]; fgets(line, sizeof line, pipe) != nullptr;) text += line;
   pclose(pipe);
   text.erase(text.find_last_not_of('\n') + 1);
-  return text.empty() ? "unknown" : text;
+  return text;
 }
+
+// The commit that is checked out, "-dirty" when files differ from it; the table itself always does.
+std::string checked_out() {
+  const std::string name = output_of("git -C " NETPOCKET_SOURCE_DIR " rev-parse --short HEAD 2>/dev/null");
+  const std::string changes = output_of("git -C " NETPOCKET_SOURCE_DIR
+                                        " status --porcelain --untracked-files=no -- ':/' ':!/tests/HARDENING.md' "
+                                        "2>/dev/null");
+  if (name.empty()) return "unknown";
+  return changes.empty() ? name : name + "-dirty";
+}
+
+// Asked when the program starts: a trial lasts hours, in which somebody may work on.
+const std::string commit = is_full_hardening() ? checked_out() : "";
 
 // Rows by trial; lines that are no rows are passed over.
 std::map<std::string, std::string> parse(const std::string& text) {
@@ -62,7 +75,7 @@ bool record_hardening(const HardeningRow& row) {
   if (file < 0) return false;
   flock(file, LOCK_EX);
   auto rows = parse(read_table());
-  rows[row.trial] = "| " + row.trial + " | " + row.count + " | " + row.outcome + " | " + commit() + " |";
+  rows[row.trial] = "| " + row.trial + " | " + row.count + " | " + row.outcome + " | " + commit + " |";
   std::string text(kHeader);
   for (const auto& [trial, line] : rows) text += line + "\n";
   const bool written = ftruncate(file, 0) == 0 && write(file, text.data(), text.size()) == std::ssize(text);

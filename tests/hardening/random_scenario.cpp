@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "engine/bodies/shape.h"
 #include "engine/scenario/check_scenario.h"
@@ -122,7 +123,8 @@ class Draw {
 
 }  // namespace
 
-Scenario random_scenario(std::mt19937& random, int& drawn) {
+Scenario random_scenario(unsigned seed, int& drawn) {
+  std::mt19937 random(seed);
   Draw draw(random);
   while (true) {
     ++drawn;

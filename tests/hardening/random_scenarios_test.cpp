@@ -1,5 +1,8 @@
 // Whatever valid scenario is given: the run ends with its energy accounted for or says truly why not, records nothing
 // that is not a number, and leaves no cord inside the target.
+//
+// What fails is kept as out/hardening/randomN.toml, for `netpocket run`; NETPOCKET_SCENARIOS=20-40 makes and keeps
+// those.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -8,12 +11,15 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 #include "engine/ancf/shape_functions.h"
 #include "engine/bodies/shape.h"
 #include "engine/dynamics/run.h"
+#include "engine/dynamics/simulation.h"
 #include "engine/recording/recording.h"
 #include "engine/scenario/write_scenario.h"
+#include "tests/hardening/child_pool.h"
 #include "tests/hardening/hardening_table.h"
 #include "tests/hardening/random_scenario.h"
 
@@ -26,11 +32,8 @@ constexpr double kEnergyBound = 0.02;
 constexpr double kDepthBound = 0.05;  // m
 // Longer runs are left out.
 constexpr double kMostSteps = 300000;
-
-struct Tally {
-  int made = 0, drawn = 0, left_out = 0, finished = 0, diverged = 0, failed = 0;
-  double worst_energy = 0, worst_depth = 0;
-};
+// Of processor time, s: more than the longest of them takes under the sanitizers.
+constexpr unsigned kMostSeconds = 3600;
 
 double largest(const std::vector<double>& values) {
   double result = 0;
@@ -70,60 +73,137 @@ double depth_in_target(const Recording& run, int points) {
   return depth;
 }
 
-// What is wrong with a run; empty when nothing is.
-std::string fault(const Recording& run, const Scenario& scenario, Tally& tally) {
-  const RunStatus& status = run.status();
-  if (status.reason == RunReason::diverged) {
-    ++tally.diverged;
-    return status.message.find(" in step ") == std::string::npos ? "diverged without a reason" : "";
+// How a run went. Travels from its process to this one as a line of text.
+struct Outcome {
+  int drawn = 0;
+  RunReason reason = RunReason::running;
+  bool left_out = false;
+  double energy = 0, depth = 0;  // of runs that finished
+  std::string message;           // of runs that did not
+
+  std::string line() const {
+    return fmt::format("{} {} {:d} {} {} {}", drawn, static_cast<int>(reason), left_out, energy, depth, message);
   }
-  if (status.reason != RunReason::finished) return "ended as " + std::string(to_string(status.reason));
-  ++tally.finished;
-  const double energy = energy_error(run), depth = depth_in_target(run, scenario.contact.samples_per_element);
-  tally.worst_energy = std::max(tally.worst_energy, energy);
-  tally.worst_depth = std::max(tally.worst_depth, depth);
-  if (!(energy <= kEnergyBound)) return fmt::format("energy error {:.3g}", energy);
-  if (!(depth <= kDepthBound)) return fmt::format("a cord is {:.3g} m inside the target", depth);
+  static Outcome parse(const std::string& line) {
+    Outcome result;
+    int reason = 0;
+    std::istringstream(line) >> result.drawn >> reason >> result.left_out >> result.energy >> result.depth;
+    result.reason = static_cast<RunReason>(reason);
+    return result;
+  }
+};
+
+Outcome make(unsigned seed, const std::string& path) {
+  Outcome result;
+  const Scenario scenario = random_scenario(seed, result.drawn);
+  result.left_out = scenario.output.end_time / Simulation(scenario).statistics().time_step > kMostSteps;
+  if (result.left_out) return result;
+  // The recorder refuses what is not finite; then the run ends as storage_failed.
+  const RunStatus status = run_to_recording(scenario, path, {.overwrite = true}).status;
+  result.reason = status.reason;
+  result.message = status.message;
+  if (status.reason != RunReason::finished) return result;
+  const Recording run(path);
+  result.energy = energy_error(run);
+  result.depth = depth_in_target(run, scenario.contact.samples_per_element);
+  return result;
+}
+
+// What is wrong with a run; empty when nothing is.
+std::string fault(const Outcome& run, const std::string& message) {
+  if (run.reason == RunReason::diverged) {
+    return message.find(" in step ") == std::string::npos ? "diverged without a reason: " + message : "";
+  }
+  if (run.reason != RunReason::finished) return fmt::format("ended as {}: {}", to_string(run.reason), message);
+  if (!(run.energy <= kEnergyBound)) return fmt::format("energy error {:.3g}", run.energy);
+  if (!(run.depth <= kDepthBound)) return fmt::format("a cord is {:.3g} m inside the target", run.depth);
   return "";
 }
 
-bool record_tally(const Tally& tally) {
-  return record_hardening(
-      {"random valid scenarios, 2 simulated seconds each",
-       fmt::format("{} scenarios ({} drawn, {} left out as longer than {} steps)", tally.made, tally.drawn,
-                   tally.left_out, kMostSteps),
-       fmt::format(
-           "{} finished, {} diverged with the reason, {} outside the bounds; energy error at most {:.2g}, cord in "
-           "target at most {:.2g} m; nothing recorded that is not finite",
-           tally.finished, tally.diverged, tally.failed, tally.worst_energy, tally.worst_depth)});
-}
+class Trials {
+ public:
+  // `recorded`: in the table of trials.
+  Trials(int wanted, bool recorded) : wanted_(wanted), recorded_(recorded) {}
+
+  bool enough() const { return made_ >= wanted_; }
+  int missing() const { return wanted_ - made_; }
+
+  void add(int seed, const ChildResult& result) {
+    const Outcome run = Outcome::parse(result.text);
+    drawn_ += run.drawn;
+    if (result.ended_well && run.left_out) {
+      ++left_out_;
+      return;
+    }
+    ++made_;
+    if (run.reason == RunReason::finished) {
+      ++finished_;
+      worst_energy_ = std::max(worst_energy_, run.energy);
+      worst_depth_ = std::max(worst_depth_, run.depth);
+    }
+    if (run.reason == RunReason::diverged) ++diverged_;
+    const std::string problem = result.ended_well ? fault(run, result.text) : "its process ended: " + result.text;
+    std::printf("scenario %d: %s%s\n", seed, result.text.c_str(), problem.empty() ? "" : " FAILED");
+    std::fflush(stdout);
+    const std::string kept = keep(seed, !problem.empty() || !recorded_);
+    if (!problem.empty()) {
+      ++failed_;
+      ADD_FAILURE() << "scenario " << seed << " (" << kept << "): " << problem;
+    }
+    if (recorded_ && (made_ % 10 == 0 || enough())) {
+      EXPECT_TRUE(record());
+    }
+  }
+
+ private:
+  // Writes the scenario to where the program can be tried with it; returns its path.
+  static std::string keep(int seed, bool wanted) {
+    const std::filesystem::path folder = NETPOCKET_SOURCE_DIR "/out/hardening";
+    const std::string path = folder / fmt::format("random{}.toml", seed);
+    if (!wanted) return path;
+    int drawn = 0;
+    std::filesystem::create_directories(folder);
+    std::ofstream(path) << write_scenario_text(random_scenario(static_cast<unsigned>(seed), drawn));
+    return path;
+  }
+
+  bool record() const {
+    return record_hardening(
+        {"random valid scenarios, 2 simulated seconds each",
+         fmt::format("{} scenarios ({} drawn, {} left out as longer than {} steps)", made_, drawn_, left_out_,
+                     kMostSteps),
+         fmt::format("{} finished, {} ended with the reason, {} outside the bounds; energy error at most {:.2g}, cord "
+                     "in target at most {:.2g} m; nothing recorded that is not finite",
+                     finished_, diverged_, failed_, worst_energy_, worst_depth_)});
+  }
+
+  int wanted_, made_ = 0, drawn_ = 0, left_out_ = 0, finished_ = 0, diverged_ = 0, failed_ = 0;
+  bool recorded_;
+  double worst_energy_ = 0, worst_depth_ = 0;
+};
 
 TEST(RandomScenariosHardening, EndWellOrSayWhy) {
   std::string folder = testing::TempDir() + "/random-XXXXXX";
   ASSERT_NE(mkdtemp(folder.data()), nullptr);
-  const std::string path = folder + "/run.h5";
-  std::mt19937 random(7);
-  const int trials = trial_count(2, 500);
-  Tally tally;
-  while (tally.made < trials) {
-    const Scenario scenario = random_scenario(random, tally.drawn);
-    if (scenario.output.end_time / Simulation(scenario).statistics().time_step > kMostSteps) {
-      ++tally.left_out;
-      continue;
-    }
-    run_to_recording(scenario, path, {.overwrite = true});
-    ++tally.made;
-    // The recorder refuses what is not finite; then the run ends as storage_failed.
-    const std::string problem = fault(Recording(path), scenario, tally);
-    if (!problem.empty()) {
-      ++tally.failed;
-      const std::string kept = fmt::format("{}/random{}.toml", testing::TempDir(), tally.made);
-      std::ofstream(kept) << write_scenario_text(scenario);
-      ADD_FAILURE() << "scenario " << tally.made << " (" << kept << "): " << problem;
-    }
-    if (tally.made % 10 == 0 || tally.made == trials) {
-      EXPECT_TRUE(record_tally(tally));
-    }
+  // Without a choice, numbers go on until enough runs were not left out.
+  const char* chosen = std::getenv("NETPOCKET_SCENARIOS");
+  int next = 1, last = 0;
+  if (chosen != nullptr && std::sscanf(chosen, "%d-%d", &next, &last) == 1) last = next;
+  Trials trials(chosen != nullptr ? last - next + 1 : trial_count(2, 500), chosen == nullptr);
+  const auto trial = [&](int seed) {
+    const std::string path = fmt::format("{}/{}.h5", folder, seed);
+    const Outcome outcome = make(static_cast<unsigned>(seed), path);
+    std::filesystem::remove(path);
+    return outcome.line();
+  };
+  const auto take = [&](int seed, const ChildResult& result) { trials.add(seed, result); };
+  if (chosen != nullptr) {
+    run_in_children(next, last, kMostSeconds, trial, take);
+  }
+  while (chosen == nullptr && !trials.enough()) {
+    last = next + trials.missing() - 1;
+    run_in_children(next, last, kMostSeconds, trial, take);
+    next = last + 1;
   }
   std::filesystem::remove_all(folder);
 }

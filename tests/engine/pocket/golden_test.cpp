@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <map>
@@ -56,6 +57,7 @@ std::map<std::string, std::string> read_hashes() {
 }
 
 void expect_golden(const std::string& name, const std::string& hash) {
+  std::printf("hash %s %s\n", name.c_str(), hash.c_str());  // ./dev determinism compares builds
   auto hashes = read_hashes();
   if (std::getenv("NETPOCKET_RENEW") == nullptr) {
     EXPECT_EQ(hash, hashes[name]) << name << "; if results were to change: NETPOCKET_RENEW=1 ctest -j1 -R Golden";

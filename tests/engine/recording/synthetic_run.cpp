@@ -72,10 +72,10 @@ Snapshot synthetic_frame(const Structure& structure, int index) {
   return s;
 }
 
-Checkpoint synthetic_checkpoint(int index) {
+Checkpoint synthetic_checkpoint(int index, int size) {
   Checkpoint checkpoint;
   checkpoint.time = index;
-  for (int i = 0; i < 10000; ++i) checkpoint.state.push_back(std::sin(i) + index);
+  for (int i = 0; i < size; ++i) checkpoint.state.push_back(std::sin(i) + index);
   if (index % 2 == 1) checkpoint.strategy = "name = \"faster\"\n";
   return checkpoint;
 }
@@ -94,12 +94,12 @@ RunOrigin synthetic_origin() {
   return origin;
 }
 
-void write_synthetic_run(const std::string& path, int frames, int elements) {
+void write_synthetic_run(const std::string& path, int frames, int elements, int checkpoint_size) {
   const Structure structure = synthetic_structure(elements);
   Recorder recorder(path, synthetic_origin(), structure, true);
   for (int i = 0; i < frames; ++i) {
     recorder.write(synthetic_frame(structure, i));
-    if (i % 50 == 0) recorder.write(synthetic_checkpoint(i / 50));
+    if (i % 50 == 0) recorder.write(synthetic_checkpoint(i / 50, checkpoint_size));
   }
   RunStatistics statistics;
   statistics.simulated_seconds = 0.02 * (frames - 1);

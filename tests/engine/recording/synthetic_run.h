@@ -10,12 +10,12 @@ namespace netpocket {
 
 Structure synthetic_structure(int elements);
 Snapshot synthetic_frame(const Structure& structure, int index);
-// At `index` seconds.
-Checkpoint synthetic_checkpoint(int index);
+// At `index` seconds; `size` numbers.
+Checkpoint synthetic_checkpoint(int index, int size = 10000);
 RunOrigin synthetic_origin();
 
 // Writes `frames` frames, 50 a second, and checkpoints of a small run and finishes it.
-void write_synthetic_run(const std::string& path, int frames, int elements = 20);
+void write_synthetic_run(const std::string& path, int frames, int elements = 20, int checkpoint_size = 10000);
 
 // A folder of its own for each test, removed at the end.
 class TemporaryFolder {
