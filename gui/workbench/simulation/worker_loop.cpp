@@ -93,9 +93,11 @@ void WorkerLoop::on(const SingleStep&) {
   running_ = false;
   const double before = simulation_->time();
   RunStatus status;
-  // A simulation steps while more than half a step is missing; how long its next step is, it decides itself.
+  // A simulation steps while more than half a step is missing; how long its next step is, it decides itself. One that
+  // diverges is put back to where it was, and would be for ever.
+  const auto goes_on = [&] { return status.reason == RunReason::running || status.reason == RunReason::finished; };
   double ahead = 0.6 * simulation_->statistics().time_step;
-  for (; simulation_->time() == before && !stop_.stop_requested(); ahead *= 1.5) {
+  for (; simulation_->time() == before && goes_on(); ahead *= 1.5) {
     status = simulation_->advance(before + ahead, stop_);
   }
   report_frame();

@@ -80,6 +80,27 @@ TEST(SimulationWorker, SingleStepIsOneStep) {
   EXPECT_EQ(second->snapshot->step, 2);
 }
 
+TEST(SimulationWorker, SingleStepOfADivergedRunComesToAnEnd) {
+  SimulationWorker worker([] {});
+  Scenario scenario = quick_scenario();
+  scenario.solver.time_step = 4e-3;  // ten times what its elements allow
+  worker.post(BeginRun{0, scenario});
+  worker.post(Resume{});
+  const auto diverged = [](const StateChanged& s) { return s.status.reason == RunReason::diverged; };
+  ASSERT_TRUE(next<StateChanged>(worker, diverged));
+  // From its last sound state it may make some steps; then it diverges again.
+  bool again = false;
+  for (int i = 0; i < 1000 && !again; ++i) {
+    worker.post(SingleStep{});
+    const auto answer = next<StateChanged>(worker, [](const StateChanged&) { return true; });
+    ASSERT_TRUE(answer);
+    again = diverged(*answer);
+  }
+  EXPECT_TRUE(again);
+  worker.post(BeginRun{1, quick_scenario()});
+  EXPECT_TRUE(frame_at(worker, 1, 0));
+}
+
 TEST(SimulationWorker, RealTimeIsRealTime) {
   SimulationWorker worker([] {});
   worker.post(SetPace{0.5});
