@@ -208,7 +208,7 @@ TEST_F(Form, ARunSortsEditsByWhatTheyMeanToIt) {
   QSignalSpy restart(&editor, &ScenarioEditor::restart_needed);
   EXPECT_FALSE(document->set_value(parameter("contact.friction"), 0.3));
   EXPECT_EQ(strategy.size(), 0) << "no run yet";
-  editor.set_run_active(true);
+  editor.set_running(&document->scenario());
   EXPECT_FALSE(document->set_value(parameter("contact.friction"), 0.2));
   ASSERT_EQ(strategy.size(), 1);
   EXPECT_EQ(strategy[0][0].toStringList(), QStringList{"contact.friction"});
@@ -222,7 +222,7 @@ TEST_F(Form, ARunSortsEditsByWhatTheyMeanToIt) {
   document->undo_stack()->undo();
   EXPECT_TRUE(editor.keys_that_need_restart().isEmpty());
   EXPECT_TRUE(editor.restart_bar()->isHidden());
-  editor.set_run_active(false);
+  editor.set_running(nullptr);
 }
 
 TEST_F(Form, ReadOnlyTakesNoEdits) {

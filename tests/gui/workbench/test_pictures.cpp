@@ -168,7 +168,11 @@ TEST_F(PictureTest, RecordingInTheDark) {
 TEST_F(PictureTest, SecondView) {
   open_recording();
   window_->view_actions().second_view_action()->trigger();
-  QTest::qWait(50);
+  // Cameras are aimed when both views have their places.
+  ASSERT_TRUE(wait_until([&] {
+    const int first = window_->viewport().width(), second = window_->second_view()->width();
+    return first > 0 && std::abs(first - second) <= 1;
+  }));
   window_->viewport().fit();
   window_->second_view()->viewport().set_preset(CameraPreset::front);
   expect_like_baseline(picture(), "second_view");

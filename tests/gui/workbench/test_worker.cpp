@@ -114,6 +114,18 @@ TEST(SimulationWorker, RealTimeIsRealTime) {
   EXPECT_GT(elapsed.count(), 0.7);
 }
 
+TEST(SimulationWorker, ManyRunsAtOnceEndWithTheLast) {
+  SimulationWorker worker([] {});
+  constexpr RunId kLast = 40;
+  for (RunId run = 0; run < kLast; ++run) {
+    worker.post(BeginRun{run, quick_scenario()});
+    worker.post(Resume{});
+  }
+  worker.post(BeginBranch{kLast, kLast - 1, 0, quick_scenario()});
+  worker.post(Resume{.until = 0.1});
+  EXPECT_TRUE(frame_at(worker, kLast, 0.1));
+}
+
 TEST(SimulationWorker, EndsWhileItRuns) {
   auto worker = std::make_unique<SimulationWorker>([] {});
   worker->post(BeginRun{0, Scenario{}});
