@@ -8,6 +8,7 @@
 #include <QTabWidget>
 #include <QTest>
 #include <cmath>
+#include <utility>
 
 #include "engine/recording/recorder.h"
 #include "engine/scenario/write_scenario.h"
@@ -168,10 +169,12 @@ TEST_F(PictureTest, RecordingInTheDark) {
 TEST_F(PictureTest, SecondView) {
   open_recording();
   window_->view_actions().second_view_action()->trigger();
-  // Cameras are aimed when both views have their places.
+  // Cameras are aimed when both views have come to their places.
+  QSize before;
   ASSERT_TRUE(wait_until([&] {
-    const int first = window_->viewport().width(), second = window_->second_view()->width();
-    return first > 0 && std::abs(first - second) <= 1;
+    const QSize last = std::exchange(before, QSize(window_->viewport().width(), window_->second_view()->width()));
+    QTest::qWait(100);
+    return before == last && before == QSize(window_->viewport().width(), window_->second_view()->width());
   }));
   window_->viewport().fit();
   window_->second_view()->viewport().set_preset(CameraPreset::front);
