@@ -16,6 +16,7 @@
 
 #include "engine/scenario/read_scenario.h"
 #include "gui/workbench/main_window.h"
+#include "gui/workbench/panels/plots_panel.h"
 #include "gui/workbench/run_actions.h"
 #include "gui/workbench/viewport/viewport.h"
 
@@ -119,6 +120,7 @@ class Bench {
     measure_start();
     measure_preview();
     measure_running();
+    measure_plots();
     measure_scrubbing();
   }
 
@@ -197,6 +199,22 @@ class Bench {
                window_->session().live()->speed);
     window_->session().pause();
     wait_until([&] { return !window_->session().is_running(); });
+  }
+
+  // Processor time of what a growing run draws anew, of the run so far.
+  void measure_plots() {
+    auto& plots = window_->plots();
+    for (const char* name : {"figure03_closing", "figure05_force", "figure06_position", "energy", "tension"}) {
+      plots.show_figure(name);
+      Samples samples;
+      for (int i = 0; i < 9; ++i) {
+        const double start = thread_milliseconds();
+        plots.chart()->set_figure(Figure(plots.chart()->figure()));
+        plots.chart()->grab();
+        samples.add(thread_milliseconds() - start);
+      }
+      samples.print(fmt::format("processor time of {}", name).c_str(), 20);
+    }
   }
 
   void measure_scrubbing() {

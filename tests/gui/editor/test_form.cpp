@@ -18,7 +18,6 @@
 #include "gui/workbench/editor/parameter_row.h"
 #include "gui/workbench/editor/scenario_editor.h"
 #include "gui/workbench/panels/chart_view.h"
-#include "processor_time.h"
 #include "temporary_document.h"
 
 namespace netpocket {
@@ -243,16 +242,6 @@ TEST_F(Form, UndoKeyIsTheDocumentsUnlessSomethingIsTyped) {
   edit.setFocus();
   QTest::keyClick(&edit, Qt::Key_Z, Qt::ControlModifier);
   EXPECT_EQ(document->scenario().target.mass, 200);
-}
-
-// An edit, with checks, form, text and preview, must not be felt; dragging makes one for every movement of the mouse.
-TEST_F(Form, AnEditIsQuick) {
-  const double cost = median_cost([this](int i) {
-    EXPECT_FALSE(document->set_value(parameter("target.radius"), 4.0 + 0.01 * i));
-    QCoreApplication::processEvents();
-  });
-  std::printf("edit: %.1f ms\n", cost);
-  EXPECT_LT(cost, 50);
 }
 
 TEST_F(Form, RevealUnfoldsAndFocuses) {

@@ -146,9 +146,10 @@ TEST_F(WindowTest, StrategyThatNeedsARestartSaysSo) {
   EXPECT_TRUE(window_->editor().keys_that_need_restart().isEmpty());
 }
 
-TEST_F(WindowTest, FrictionAndTowingActOnTheRunTheyAreEditedIn) {
+TEST_F(WindowTest, FrictionTowingAndPressureActOnTheRunTheyAreEditedIn) {
   ASSERT_TRUE(run_to(0.2));
-  const std::vector<std::pair<const char*, double>> edits = {{"contact.friction", 0.7}, {"towing.start", 1.5}};
+  const std::vector<std::pair<const char*, double>> edits = {
+      {"contact.friction", 0.7}, {"towing.start", 1.5}, {"rods.pressure", 5e4}, {"output.end_time", 3.0}};
   for (const auto& edit : edits) {
     const Parameter& changed = parameter(edit.first);
     ASSERT_FALSE(window_->document().set_value(changed, edit.second));
@@ -158,7 +159,7 @@ TEST_F(WindowTest, FrictionAndTowingActOnTheRunTheyAreEditedIn) {
   EXPECT_TRUE(window_->editor().keys_that_need_restart().isEmpty());
   // Each change is a mark on the timeline.
   const auto& notes = window_->session().live()->notes;
-  EXPECT_EQ(std::ranges::count(notes, TimeMark::Kind::strategy, &TimeMark::kind), 2);
+  EXPECT_EQ(std::ranges::count(notes, TimeMark::Kind::strategy, &TimeMark::kind), static_cast<long>(edits.size()));
 }
 
 TEST_F(WindowTest, TakesADroppedRecording) {

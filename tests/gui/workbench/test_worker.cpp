@@ -3,6 +3,8 @@
 #include <chrono>
 #include <thread>
 
+#include "engine/dynamics/simulation.h"
+#include "gui/workbench/editor/parameter_words.h"
 #include "gui/workbench/simulation/simulation_worker.h"
 #include "tests/gui/workbench/window_fixture.h"
 
@@ -132,6 +134,19 @@ TEST(SimulationWorker, EndsWhileItRuns) {
   worker->post(Resume{});
   ASSERT_TRUE(frame_at(*worker, 0, 0.02));
   worker.reset();
+}
+
+// What the editor says of a parameter is what the simulation does.
+TEST(SimulationWorker, TakesUpWhatTheEditorSaysActsAtOnce) {
+  Simulation simulation(quick_scenario());
+  for (const Parameter& parameter : parameters()) {
+    Scenario edited = simulation.scenario();
+    const ParameterValue value = parameter.get(edited);
+    if (parameter.group().empty() || !std::holds_alternative<double>(value)) continue;
+    parameter.set(edited, 1.01 * std::get<double>(value) + 1e-3);
+    EXPECT_EQ(simulation.change_strategy(edited).empty(), edit_effect(parameter) == EditEffect::at_once)
+        << parameter.key;
+  }
 }
 
 TEST(SimulationWorker, StrategyActsFromNowOnAndRefusesTheRest) {
