@@ -230,15 +230,18 @@ class Bench {
   }
 
   void scrub(const char* what) {
-    Samples samples;
+    Samples samples, drawing;
     auto& session = window_->session();
     const std::size_t count = session.current()->frame_count();
     for (std::size_t i = 0; i < 300; ++i) {
       const std::size_t index = (i * 617) % count;
       const double time = session.current()->series.times()[index];
       bool came = false;
-      const auto connection = QObject::connect(&window_->viewport(), &Viewport::picture_shown,
-                                               [&](double shown) { came = came || shown == time; });
+      const auto connection =
+          QObject::connect(&window_->viewport(), &Viewport::picture_shown, [&](double shown, double seconds) {
+            drawing.add(1e3 * seconds);
+            came = came || shown == time;
+          });
       QElapsedTimer timer;
       timer.start();
       session.show_frame(index);
@@ -247,6 +250,7 @@ class Bench {
       samples.add(1e-6 * static_cast<double>(timer.nsecsElapsed()));
     }
     samples.print(what, 50);
+    drawing.print("    of which its pictures are being drawn", 50);
   }
 
   WatchedApplication& application_;
