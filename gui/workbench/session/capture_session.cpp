@@ -61,8 +61,10 @@ void CaptureSession::take(const StrategyChanged& report) {
 void CaptureSession::take(const CheckpointTaken& report) { runs_.append(report.run, report.checkpoint); }
 
 void CaptureSession::take(const WorkerFailed& report) {
-  if (report.run == live_) leave_live_run();
-  finish_left_runs(kNoRun);
+  if (report.run == live_) {
+    leave_live_run();
+    finish_left_runs(kNoRun);
+  }
   emit failed(tr("The simulation ended: %1.").arg(QString::fromStdString(report.message)));
 }
 
