@@ -126,6 +126,10 @@ end_time = 14
     ASSERT_TRUE(wait_until([&] { return window_->session().current() != nullptr; }));
     window_->plots().show_figure("figure05_force");
     window_->timeline().go_to(7);
+    ASSERT_TRUE(wait_until([&] {
+      const ViewState& state = window_->viewport().state();
+      return state.structure == window_->session().current()->structure && std::abs(state.snapshot->time - 7) < 1e-6;
+    }));
   }
 
   QImage picture() {
