@@ -19,6 +19,7 @@
 #include "engine/pocket/pocket.h"
 #include "engine/scenario/closing_law.h"
 #include "engine/scenario/parameters.h"
+#include "engine/scenario/strategy.h"
 
 namespace netpocket {
 namespace {
@@ -50,13 +51,6 @@ double total_mass(const Model& model) {
   double mass = model.cable_mass();
   for (const ModelBody& body : model.bodies) mass += body.mass;
   return mass;
-}
-
-// Parameters that a run can change on its way.
-bool acts_at_once(std::string_view key) {
-  if (key == "closing.elements") return false;
-  return key.starts_with("closing.") || key.starts_with("towing.") || key == "contact.friction" ||
-         key == "rods.pressure" || key == "spacecraft.station_keeping" || key == "output.end_time";
 }
 
 // A closing law that takes over from a motion at time `now`: the new law plus what length and speed differ by, which
