@@ -187,7 +187,8 @@ double CableSystem::time() const { return impl_->time; }
 std::int64_t CableSystem::steps() const { return impl_->steps; }
 void CableSystem::step(double dt) { impl_->step(dt); }
 
-StableStep CableSystem::stable_step() const {
+StableStep CableSystem::stable_step() {
+  impl_->update_ropes();  // their length is that of the last step's start
   std::vector<BatchElement> now = impl_->elements;
   for (std::size_t i = 0; i < now.size(); ++i) now[i].length = impl_->element_length[i];
   if (impl_->consistent_mass) return find_stable_step_of_full_elements(impl_->model, now, impl_->coordinates);
@@ -223,13 +224,11 @@ bool CableSystem::Impl::looks_sound() const {
   double longest = 1;
   for (const double length : element_length) longest = std::max(longest, length);
   const double limit = kRunawaySpeed * kRunawaySpeed / (longest * longest);
-  bool sound = true;
-  for (std::int32_t slot = 0; slot < layout.size(); ++slot) {
-    const Eigen::Vector3d x = coordinates.get(slot), v = velocities.get(slot);
-    const double none = (x.x() - x.x()) + (x.y() - x.y()) + (x.z() - x.z());  // 0, or not a number
-    sound = sound && v.x() * v.x() + v.y() * v.y() + v.z() * v.z() + none < limit;
-  }
-  return sound;
+  // Sums see what is not a number, maxima may not.
+  const double places = coordinates.squared_norms(0, layout.size()).sum();
+  const double speeds = velocities.squared_norms(0, layout.size()).sum();
+  return std::isfinite(places) && std::isfinite(speeds) &&
+         velocities.squared_norms(0, layout.size()).maxCoeff() < limit;
 }
 
 std::optional<std::string> CableSystem::fault() const {

@@ -59,7 +59,7 @@ class CableSystem {
   std::int64_t steps() const;
 
   // Largest stable step at the present rope lengths, without a safety factor.
-  StableStep stable_step() const;
+  StableStep stable_step();
   // The same (s) with what the present bends and tensions of the cables add to the stiffness; `straight`: stable_step() at
   // about these rope lengths. With the full evaluation it is straight.step.
   double stable_step_as_bent(const StableStep& straight);

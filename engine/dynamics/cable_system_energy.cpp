@@ -66,10 +66,12 @@ double CableSystem::Impl::kinetic_energy(const SlotVectors& velocity) const {
     energy += bodies[b].kinetic_energy_after(wrenches[b], controls[b], 0.5 * last_dt);
   }
   if (consistent_mass) return energy + consistent_mass->kinetic_energy(velocity, mass);
-  for (std::int32_t slot = 0; slot < layout.size(); ++slot) {
-    if (inverse_mass[slot] != 0) energy += 0.5 * mass[slot] * velocity.get(slot).squaredNorm();
-  }
-  return energy;
+  const auto values = [&](const auto& by_slot) {
+    return Eigen::Map<const Eigen::ArrayXd>(by_slot.data(), layout.size());
+  };
+  // What moves with a body, or not at all, has no inverse mass.
+  const auto moving = (values(inverse_mass) != 0).template cast<double>();
+  return energy + 0.5 * (moving * values(mass) * velocity.squared_norms(0, layout.size())).sum();
 }
 
 // Work of gravity and constant loads up to an additive constant.

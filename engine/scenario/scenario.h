@@ -113,7 +113,7 @@ struct TowingParameters {
 struct SolverParameters {
   Evaluation evaluation = Evaluation::mean_strain;
   double time_step = 0;                 // s; 0: chosen from elements and contact
-  double safety = 0.95;                 // fraction of the stable step that is used
+  double safety = 0.9;                  // fraction of the stable step that is used
   bool pair_strains = true;             // elements of a side share their axial strain two by two
   Eigen::Vector3d gravity = {0, 0, 0};  // m/s^2
   double perturbation = 0;              // m, largest random displacement of free nodes at the start

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "engine/ancf/mass.h"
+#include "engine/ancf/strain_pair.h"
 #include "engine/ancf/variable_length.h"
 #include "engine/dynamics/consistent_mass.h"
 #include "engine/dynamics/rope_dynamics.h"
@@ -114,6 +115,7 @@ Momentum step_and_measure_momentum(CableSystem& system, double dt, ElementEvalua
   }
 
   // Masses of the step, and the momentum of the material that flows past the ropes' nodes, are those at its start.
+  std::vector<std::uint8_t> on_rope(model.elements.size(), 0);
   std::vector<double> length;
   for (const ModelElement& element : model.elements) length.push_back(element.length);
   Momentum sum;
@@ -124,6 +126,7 @@ Momentum step_and_measure_momentum(CableSystem& system, double dt, ElementEvalua
     for (std::size_t i = 0; i < rope.elements.size(); ++i) {
       const ModelElement& e = model.elements[rope.elements[i]];
       length[rope.elements[i]] = rope_element_length(model, r, time);
+      on_rope[rope.elements[i]] = 1;
       ElementCoordinates q = ElementCoordinates::Zero();
       q.col(0) = before.node[e.node1];
       q.col(2) = before.node[e.node2];
@@ -140,7 +143,11 @@ Momentum step_and_measure_momentum(CableSystem& system, double dt, ElementEvalua
   for (std::size_t i = 0; i < model.elements.size(); ++i) {
     const ModelElement& e = model.elements[i];
     const double mass_per_length = model.materials[e.material].section.mass_per_length;
-    Eigen::Matrix4d mass = lumped_mass(mass_per_length, length[i]).asDiagonal();
+    NodalWeights lump = lumped_mass(mass_per_length, length[i]);
+    if (e.mate >= 0 && evaluation == ElementEvaluation::mean_strain && on_rope[i] == 0) {
+      move_from_middle(lump, e.node2 == model.elements[e.mate].node1);
+    }
+    Eigen::Matrix4d mass = lump.asDiagonal();
     if (evaluation == ElementEvaluation::full && lumped[i] == 0) mass = consistent_mass(mass_per_length, length[i]);
     ElementCoordinates q, velocity;
     q << now.node[e.node1], now.gradient[e.gradient1], now.node[e.node2], now.gradient[e.gradient2];

@@ -63,7 +63,7 @@ TEST(ScenarioFiles, LowKinkIsTheDefault) { EXPECT_TRUE(differences(load("low_kin
 // The file's head says which.
 TEST(ScenarioFiles, CaseOneDepartsFromTheDefaultsInItsPocketOnly) {
   EXPECT_EQ(differences(load("case1.toml"), Scenario()),
-            (std::vector<std::string_view>{"rods.profile", "rods.wall_lower", "rods.wall_upper",
+            (std::vector<std::string_view>{"pocket.mesh_rows", "rods.profile", "rods.wall_lower", "rods.wall_upper",
                                            "rods.elements_per_side", "rods.hinge_stiffness", "target.radius",
                                            "contact.friction", "towing.offset", "towing.offset_angle"}));
 }
