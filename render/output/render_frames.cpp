@@ -30,6 +30,7 @@ struct Picture {
 Image joined(const std::vector<DrawnFrame>& frames, Image used) {
   if (frames.size() == 1) return smooth_frame(frames.front(), std::move(used));
   std::vector<Image> images;
+  images.reserve(frames.size());
   for (const auto& frame : frames) images.push_back(smooth_frame(frame));
   return side_by_side(images);
 }
