@@ -57,8 +57,8 @@ class BroadPhase {
   std::span<const int> candidates(int body) const { return candidates_[static_cast<std::size_t>(body)]; }
 
   // Pairs of elements whose boxes are within the margin of each other along every axis, smaller index first, ascending.
-  // Neighbours in a net always are. Found when first asked for after a rebuild.
-  std::span<const std::pair<int, int>> pairs();
+  // Neighbours in a net always are. Found anew by each call.
+  std::vector<std::pair<int, int>> pairs() const;
 
   double margin() const { return margin_; }
   int rebuild_count() const { return rebuild_count_; }
@@ -68,14 +68,13 @@ class BroadPhase {
 
   struct Tree;
   std::unique_ptr<Tree> tree_;
+  int element_count_;
   double margin_;
   double travelled_;  // m, bound on any motion since the last rebuild
   int rebuild_count_ = 0;
   std::vector<Eigen::AlignedBox3d> built_elements_;  // of the last rebuild
   std::vector<PlacedShape> built_bodies_;
   std::vector<std::vector<int>> candidates_;
-  std::vector<std::pair<int, int>> pairs_;
-  bool pairs_current_ = false;
 };
 
 }  // namespace netpocket

@@ -34,11 +34,11 @@ std::vector<BatchElement> batch_elements(const Model& model, const SlotLayout& l
 
 }  // namespace
 
-CableSystem::Impl::Impl(const Model& source, const SystemOptions& opts)
-    : model(source),
+CableSystem::Impl::Impl(Model&& source, const SystemOptions& opts)
+    : model(std::move(source)),
       options(opts),
       arena(std::max(1, opts.threads)),
-      layout{static_cast<std::int32_t>(source.nodes.size()), static_cast<std::int32_t>(source.gradients.size())},
+      layout{static_cast<std::int32_t>(model.nodes.size()), static_cast<std::int32_t>(model.gradients.size())},
       coordinates(layout.size()),
       velocities(layout.size()),
       elements(batch_elements(model, layout, opts.evaluation)),
@@ -55,6 +55,8 @@ CableSystem::Impl::Impl(const Model& source, const SystemOptions& opts)
       element_forces(static_cast<std::size_t>(batch.block_count()) * kForceRows * kBlockSize, 0.0),
       applied(layout.size()),
       constant_load(layout.size()) {
+  element_length.reserve(elements.size());
+  wave_speed.reserve(elements.size());
   for (const ModelElement& element : model.elements) element_length.push_back(element.length);
   for (const BatchElement& element : elements) {
     wave_speed.push_back(std::sqrt(element.section.EA / element.section.mass_per_length));
@@ -176,8 +178,8 @@ MaterialSpan CableSystem::Impl::span(std::size_t element) const {
   return variable != nullptr ? *variable : MaterialSpan{.length = elements[element].length};
 }
 
-CableSystem::CableSystem(const Model& model, const SystemOptions& options)
-    : impl_(std::make_unique<Impl>(model, options)) {}
+CableSystem::CableSystem(Model model, const SystemOptions& options)
+    : impl_(std::make_unique<Impl>(std::move(model), options)) {}
 CableSystem::~CableSystem() = default;
 CableSystem::CableSystem(CableSystem&&) noexcept = default;
 CableSystem& CableSystem::operator=(CableSystem&&) noexcept = default;

@@ -49,7 +49,7 @@ struct CordContactSum {
 
 class CableSystem {
  public:
-  CableSystem(const Model& model, const SystemOptions& options = {});
+  explicit CableSystem(Model model, const SystemOptions& options = {});
   ~CableSystem();
   CableSystem(CableSystem&&) noexcept;
   CableSystem& operator=(CableSystem&&) noexcept;

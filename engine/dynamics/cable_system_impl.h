@@ -22,7 +22,7 @@ namespace netpocket {
 inline constexpr std::size_t kStrain = 0, kStrainRate = 1, kBendingEnergy = 2, kBendStiffness = 3;
 
 struct CableSystem::Impl {
-  Impl(const Model& model, const SystemOptions& options);
+  Impl(Model&& model, const SystemOptions& options);
 
   // State at step n (positions) and n - 1/2 (velocities).
   Model model;

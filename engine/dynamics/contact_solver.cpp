@@ -50,6 +50,8 @@ ContactSolver::ContactSolver(const Model& model, const SlotLayout& layout)
     const NodalWeights weights = shape((2.0 * i + 1.0 - count) / count, 1.0);
     samples_.push_back({weights[0], weights[1], weights[2], weights[3]});
   }
+  slots_.reserve(model.elements.size());
+  radius_.reserve(model.elements.size());
   for (std::size_t i = 0; i < model.elements.size(); ++i) {
     const ModelElement& element = model.elements[i];
     slots_.push_back({layout.position(element.node1), layout.gradient(element.gradient1),
@@ -57,27 +59,31 @@ ContactSolver::ContactSolver(const Model& model, const SlotLayout& layout)
     radius_.push_back(model.material_of(static_cast<std::int32_t>(i)).radius);
   }
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    const ModelBody& body = model.bodies[b];
-    std::vector<Pair> pairs;
-    std::vector<std::uint8_t> excluded;
+    std::vector<std::uint8_t> excluded(model.elements.size());
     for (std::size_t i = 0; i < model.elements.size(); ++i) {
       const ModelElement& element = model.elements[i];
-      const CableMaterial& material = model.materials[element.material];
-      const double modulus = effective_modulus({material.youngs_modulus, material.poisson_ratio},
-                                               {body.youngs_modulus, body.poisson_ratio});
-      const double stiffness = hertz_stiffness(modulus, effective_radius(material.radius, contact_radius(body.shape)));
-      const double tributary = material.section.mass_per_length * element.length / count;
-      pairs.push_back({stiffness, effective_mass(tributary, body.mass)});
       const auto attached = [&](std::int32_t node) {
         return model.nodes[node].support == Support::body && model.nodes[node].body == static_cast<std::int32_t>(b);
       };
-      excluded.push_back(attached(element.node1) || attached(element.node2) || material.radius <= 0);
+      excluded[i] = attached(element.node1) || attached(element.node2) || radius_[i] <= 0;
     }
-    pairs_.push_back(std::move(pairs));
     due_.emplace_back(model.elements.size(), 0.0);
-    trackers_.emplace_back(body.shape, model.elements.size() * samples_.size());
+    trackers_.emplace_back(model.bodies[b].shape, model.elements.size() * samples_.size());
     excluded_.push_back(std::move(excluded));
+    pair_of_element_.emplace_back(model.elements.size(), -1);
   }
+  pairs_.resize(model.bodies.size());
+}
+
+ContactSolver::Pair ContactSolver::make_pair(std::int32_t element, std::int32_t body_index) const {
+  const ModelBody& body = model_.bodies[body_index];
+  const CableMaterial& material = model_.material_of(element);
+  const double modulus =
+      effective_modulus({material.youngs_modulus, material.poisson_ratio}, {body.youngs_modulus, body.poisson_ratio});
+  const double stiffness = hertz_stiffness(modulus, effective_radius(material.radius, contact_radius(body.shape)));
+  const double tributary =
+      material.section.mass_per_length * model_.elements[element].length / settings_.samples_per_element;
+  return {stiffness, effective_mass(tributary, body.mass)};
 }
 
 // The control polygon of the Bezier form of the element's cubic holds the curve.
@@ -236,7 +242,13 @@ Eigen::Vector3d ContactSolver::relative_velocity(const Contact& contact, const S
 }
 
 const NormalLaw& ContactSolver::law(const Contact& contact, double dt) {
-  Pair& pair = pairs_[contact.body][contact.element];
+  std::vector<Pair>& pairs = pairs_[contact.body];
+  std::int32_t& place = pair_of_element_[contact.body][contact.element];
+  if (place < 0) {
+    place = static_cast<std::int32_t>(pairs.size());
+    pairs.push_back(make_pair(contact.element, contact.body));
+  }
+  Pair& pair = pairs[place];
   if (pair.law_step != dt) {
     const double stiffness = std::min(pair.stiffness, resolved_stiffness(pair.mass, dt));
     pair.law = {stiffness, damping_ * std::sqrt(stiffness * pair.mass)};

@@ -94,6 +94,7 @@ class ContactSolver {
   // of it where that is more than `reach`.
   double clearance(const SlotVectors& coordinates, double length, std::int32_t element, std::int32_t body,
                    const DynamicBody& dynamic, double reach);
+  Pair make_pair(std::int32_t element, std::int32_t body) const;
   const NormalLaw& law(const Contact& contact, double dt);
   void set_force(Contact& contact, const SlotVectors& velocities, const ContactedSlots& contacted,
                  std::span<const double> inverse_mass, const DynamicBody& body, double dt);
@@ -104,11 +105,12 @@ class ContactSolver {
   SlotLayout layout_;
   ContactSettings settings_;
   std::vector<Sample> samples_;
-  std::vector<std::array<std::int32_t, 4>> slots_;   // by element
-  std::vector<double> radius_;                       // by element
-  double damping_;                                   // alpha of force_law.h
-  std::vector<std::vector<Pair>> pairs_;             // by body, element
-  std::vector<std::vector<std::uint8_t>> excluded_;  // by body, element: attached to it
+  std::vector<std::array<std::int32_t, 4>> slots_;          // by element
+  std::vector<double> radius_;                              // by element
+  double damping_;                                          // alpha of force_law.h
+  std::vector<std::vector<Pair>> pairs_;                    // by body, of the elements that have touched it
+  std::vector<std::vector<std::int32_t>> pair_of_element_;  // by body, element: in pairs_, or -1
+  std::vector<std::vector<std::uint8_t>> excluded_;         // by body, element: attached to it
   BroadPhase broad_phase_;
   std::vector<SurfaceTracker> trackers_;         // by body; its points: by element, sample
   std::vector<std::vector<std::int32_t>> near_;  // by body: elements that may touch it before the next survey

@@ -72,7 +72,9 @@ CordPairs::CordPairs(const Model& model, const CordPolyline& polyline, const Slo
     const ModelElement& element = model.elements[i];
     const auto index = static_cast<std::int32_t>(i);
     radius.push_back(model.material_of(index).radius);
-    neighbours_.push_back(neighbours(model, at_node, element, 2 * kNeighbourhood * radius.back()));
+    const std::vector<std::int32_t> own = neighbours(model, at_node, element, 2 * kNeighbourhood * radius.back());
+    neighbours_.insert(neighbours_.end(), own.begin(), own.end());
+    first_neighbour_.push_back(static_cast<std::int32_t>(neighbours_.size()));
     thread_.push_back(element.thread);
     solid_.push_back(radius.back() > 0);
     const auto& slots = polyline.slots(index);
@@ -97,7 +99,11 @@ CordPairs::CordPairs(const Model& model, const CordPolyline& polyline, const Slo
 bool CordPairs::may_touch(std::int32_t first, std::int32_t second) const {
   const auto a = static_cast<std::size_t>(first), b = static_cast<std::size_t>(second);
   if (!solid_[a] || !solid_[b] || !(moves_[a] || moves_[b])) return false;
-  if (std::ranges::binary_search(neighbours_[a], second) || std::ranges::binary_search(neighbours_[b], first)) {
+  const auto are_neighbours = [&](std::size_t element, std::int32_t other) {
+    return std::binary_search(neighbours_.begin() + first_neighbour_[element],
+                              neighbours_.begin() + first_neighbour_[element + 1], other);
+  };
+  if (are_neighbours(a, second) || are_neighbours(b, first)) {
     return false;
   }
   const ThreadPair threads = std::minmax(thread_[a], thread_[b]);

@@ -26,11 +26,12 @@ class CordPairs {
  private:
   using ThreadPair = std::pair<std::int32_t, std::int32_t>;  // smaller first
 
-  std::vector<std::vector<std::int32_t>> neighbours_;  // by element, sorted
-  std::vector<std::int32_t> thread_;                   // by element
-  std::vector<std::uint8_t> solid_;                    // by element: has thickness
-  std::vector<std::uint8_t> moves_;                    // by element
-  std::vector<ThreadPair> joined_threads_;             // sorted
+  // Those of element i are neighbours_[first_neighbour_[i]] to neighbours_[first_neighbour_[i + 1] - 1], sorted.
+  std::vector<std::int32_t> neighbours_, first_neighbour_ = {0};
+  std::vector<std::int32_t> thread_;        // by element
+  std::vector<std::uint8_t> solid_;         // by element: has thickness
+  std::vector<std::uint8_t> moves_;         // by element
+  std::vector<ThreadPair> joined_threads_;  // sorted
 };
 
 }  // namespace netpocket

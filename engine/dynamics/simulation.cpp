@@ -81,21 +81,23 @@ struct Simulation::Impl {
   Impl(const Scenario& s, const SimulationOptions& options)
       : scenario(s),
         pocket(build_pocket(s)),
-        system(pocket.model, system_options(s, options)),
-        drive(s.towing, s.spacecraft.station_keeping, total_mass(pocket.model)),
+        system(std::move(pocket.model), system_options(s, options)),
+        drive(s.towing, s.spacecraft.station_keeping, total_mass(system.model())),
         channels(pocket),
-        step_choice(system) {
+        step_choice(system),
+        winding(system.model().ropes.front().motion) {
     perturb();
   }
 
   Scenario scenario;
-  Pocket pocket;
+  Pocket pocket;  // its model is the system's
   CableSystem system;
   SpacecraftDrive drive;
   ChannelRecorder channels;
   StepChoice step_choice;
-  double time_step = 0;        // s, in the present interval
-  std::int64_t interval = -1;  // stretch of equal steps, one or more to an output interval
+  std::function<RopeMotion(double)> winding;  // the present law, of all closing ropes
+  double time_step = 0;                       // s, in the present interval
+  std::int64_t interval = -1;                 // stretch of equal steps, one or more to an output interval
   std::int64_t interval_steps = 1, steps_in_interval = 0;
   double wall = 0, cpu = 0;
   std::vector<double> sound_state;  // a copy at step sound_step; empty: none yet
@@ -108,7 +110,7 @@ struct Simulation::Impl {
     if (scenario.solver.perturbation <= 0) return;
     std::mt19937 generator(static_cast<std::uint32_t>(scenario.solver.seed));
     std::uniform_real_distribution<double> uniform(-scenario.solver.perturbation, scenario.solver.perturbation);
-    std::vector<Eigen::Vector3d> displacements(pocket.model.nodes.size());
+    std::vector<Eigen::Vector3d> displacements(system.model().nodes.size());
     for (Eigen::Vector3d& displacement : displacements) {
       for (double& component : displacement) component = uniform(generator);
     }
@@ -131,12 +133,9 @@ struct Simulation::Impl {
   }
 
   void change_closing() {
-    std::vector<VariableRope>& ropes = pocket.model.ropes;
-    const double open = ropes.front().motion(0).length;
-    const RopeMotion before = ropes.front().motion(system.time());
-    const auto motion = blended_closing(ClosingSchedule(scenario.closing, open), before, system.time());
-    for (VariableRope& rope : ropes) rope.motion = motion;
-    system.set_rope_motion(motion);
+    const double open = system.model().ropes.front().motion(0).length;
+    winding = blended_closing(ClosingSchedule(scenario.closing, open), winding(system.time()), system.time());
+    system.set_rope_motion(winding);
   }
 
   void visit_state(const std::function<void(double&)>& visit) {
@@ -162,10 +161,9 @@ struct Simulation::Impl {
     const double length = frame / std::ceil(frame / kLongestInterval);
     ++interval;
     const double end = static_cast<double>(interval + 1) * length;
-    const double allowed =
-        scenario.solver.time_step > 0
-            ? scenario.solver.time_step
-            : scenario.solver.safety * step_choice.stable_step(system, pocket.model.ropes.front(), end);
+    const double allowed = scenario.solver.time_step > 0
+                               ? scenario.solver.time_step
+                               : scenario.solver.safety * step_choice.stable_step(system, winding, end);
     interval_steps = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(length / allowed)));
     time_step = (end - static_cast<double>(interval) * length) / static_cast<double>(interval_steps);
     step_choice.note(time_step);

@@ -34,7 +34,8 @@ StepChoice::StepChoice(CableSystem& system)
       bound_length_(model_.ropes.front().motion(0).length) {}
 
 // For the length rounded down to a power of 1.01: seldom anything to compute, and the same whatever came before.
-double StepChoice::step_of_rope_element(const VariableRope& rope, double length) {
+double StepChoice::step_of_rope_element(double length) {
+  const VariableRope& rope = model_.ropes.front();
   constexpr double kRatio = 1.01;
   const int length_class =
       static_cast<int>(std::floor(std::log(length / static_cast<double>(rope.elements.size())) / std::log(kRatio)));
@@ -48,14 +49,14 @@ double StepChoice::step_of_rope_element(const VariableRope& rope, double length)
   return rope_step_;
 }
 
-double StepChoice::stable_step(CableSystem& system, const VariableRope& rope, double end) {
-  const double length = rope.motion(system.time()).length;
+double StepChoice::stable_step(CableSystem& system, const std::function<RopeMotion(double)>& winding, double end) {
+  const double length = winding(system.time()).length;
   if (follows_shape_ && (length < kChange * bound_length_ || kChange * length > bound_length_)) {
     bound_ = system.stable_step();
     bound_length_ = length;
   }
   StableStep straight = bound_;
-  const double of_rope = step_of_rope_element(rope, std::min(length, rope.motion(end).length));
+  const double of_rope = step_of_rope_element(std::min(length, winding(end).length));
   if (of_rope < bound_.step) {
     const double stiffer = (bound_.step / of_rope) * (bound_.step / of_rope);
     straight.step = of_rope;

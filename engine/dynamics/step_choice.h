@@ -22,9 +22,9 @@ class StepChoice {
   // Of a model with closing ropes, all alike; `system` as built from it.
   explicit StepChoice(CableSystem& system);
 
-  // Largest stable step (s, without a safety factor) from the system's present time until `end` (s). The ropes' length
-  // is that of `rope`, the first of them.
-  double stable_step(CableSystem& system, const VariableRope& rope, double end);
+  // Largest stable step (s, without a safety factor) from the system's present time until `end` (s), with the ropes
+  // wound by this law.
+  double stable_step(CableSystem& system, const std::function<RopeMotion(double)>& winding, double end);
 
   // As of the system at rest, before any choice. s
   double first_stable_step() const { return bound_.step; }
@@ -48,7 +48,7 @@ class StepChoice {
     std::int32_t thread = 0;
   };
 
-  double step_of_rope_element(const VariableRope& rope, double length);
+  double step_of_rope_element(double length);
 
   const Model& model_;
   bool follows_shape_;                                  // the mean-strain evaluation does

@@ -68,6 +68,7 @@ Structure Model::structure() const {
   result.gradient_count = static_cast<std::int32_t>(gradients.size());
   result.threads = threads;
   result.rope_count = static_cast<std::int32_t>(ropes.size());
+  result.elements.reserve(elements.size());
   for (const ModelElement& element : elements) {
     result.elements.push_back({.node = {element.node1, element.node2},
                                .gradient = {element.gradient1, element.gradient2},

@@ -256,7 +256,11 @@ void PocketBuilder::add_closing_ropes() {
 }
 
 void PocketBuilder::finish_structure() {
-  pocket_.structure = pocket_.model.structure();
+  Model& model = pocket_.model;
+  model.nodes.shrink_to_fit();
+  model.gradients.shrink_to_fit();
+  model.elements.shrink_to_fit();
+  pocket_.structure = model.structure();
   for (int sector = 0; sector < sectors_.sectors(); ++sector) {
     pocket_.structure.rod_roots.push_back(sectors_.node(root_, sector));
     pocket_.structure.rod_kinks.push_back(sectors_.node(lower_rows_.front(), sector));
