@@ -12,10 +12,10 @@
 // (Olovsson, Simonsson & Unosson 2005, doi:10.1002/nme.1293) it is the counterpart that scales stiffness, not mass: the
 // mass matrix stays diagonal. Both elements must carry full compression, so that U has no jump.
 //
-// Of the mass of the node between, m L, a fifth goes to the pair's ends in equal parts. Then a taut side's first vibration
-// across, in which that node swings between knots at rest, has the string's frequency: w^2 = 2 T/(0.8 m L^2), 1.58^2
-// instead of (pi/2)^2 T/(m L^2), where with the whole mass it is 10 % too slow; and the node moves the more easily along
-// the cord, so that the ends limit the step less. Mass and its centre are unchanged.
+// Of the mass of the node between, m L, a fifth goes to the pair's ends in equal parts. Then a taut side's first
+// vibration across, in which that node swings between knots at rest, has the string's frequency: w^2 = 2 T/(0.8 m
+// L^2), 1.58^2 instead of (pi/2)^2 T/(m L^2), where with the whole mass it is 10 % too slow; and the node moves the
+// more easily along the cord, so that the ends limit the step less. Mass and its centre are unchanged.
 
 namespace netpocket {
 

@@ -185,6 +185,7 @@ CableSystem& CableSystem::operator=(CableSystem&&) noexcept = default;
 const Model& CableSystem::model() const { return impl_->model; }
 double CableSystem::time() const { return impl_->time; }
 std::int64_t CableSystem::steps() const { return impl_->steps; }
+ElementEvaluation CableSystem::evaluation() const { return impl_->options.evaluation; }
 void CableSystem::step(double dt) { impl_->step(dt); }
 
 StableStep CableSystem::stable_step() {
@@ -203,10 +204,10 @@ double CableSystem::stable_step_as_bent(const StableStep& straight) {
   constexpr double kOverlap = 0.25;
   Impl& s = *impl_;
   if (s.consistent_mass || straight.stiffness == 0) return straight.step;
+  s.update_ropes();
   if (s.step_of_states != s.steps) s.compute_states();
   double of_bends = 0, strain = 0;
   for (std::size_t i = 0; i < s.elements.size(); ++i) {
-    if (s.elements[i].variable) continue;  // their length may be that of a step ago; they have a bound of their own
     const double wave = s.wave_speed[i] / s.element_length[i];
     of_bends = std::max(of_bends, wave * wave * s.element_state(i, kBendStiffness));
     strain = std::max(strain, s.element_state(i, kStrain));

@@ -168,7 +168,8 @@ void CableSystem::Impl::step(double dt) {
   compute_forces(dt);
   // Velocities stand half a step of the previous size before the positions; at the start they stand with them.
   const double kick = 0.5 * (last_dt + dt);
-  const double power_before = contacts.dissipated_power() + (cord_contacts ? cord_contacts->dissipated_power(velocities) : 0);
+  const double power_before =
+      contacts.dissipated_power() + (cord_contacts ? cord_contacts->dissipated_power(velocities) : 0);
   input_work += kick * element_power.fed;
   dissipated += kick * (element_power.dissipated + hinge_power);
   for (std::size_t b = 0; b < bodies.size(); ++b) {

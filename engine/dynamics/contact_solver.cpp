@@ -253,8 +253,9 @@ void ContactSolver::set_force(Contact& contact, const SlotVectors& velocities, c
   contact.velocity = relative_velocity(contact, velocities, body);
   const Eigen::Vector3d after = relative_velocity(contact, contacted.predicted(), body);
   const double separation_speed = symmetric_dot(after, contact.normal);
-  const double normal_force = stepped_normal_force(law(contact, dt), contact.penetration,
-                                                   {symmetric_dot(contact.velocity, contact.normal), separation_speed}, w, dt);
+  const double normal_force =
+      stepped_normal_force(law(contact, dt), contact.penetration,
+                           {symmetric_dot(contact.velocity, contact.normal), separation_speed}, w, dt);
   const Eigen::Vector3d sliding = after - separation_speed * contact.normal;
   const double resistance =
       sliding_resistance(settings_.friction, settings_.friction_velocity, normal_force, symmetric_norm(sliding), w, dt);

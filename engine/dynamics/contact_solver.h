@@ -63,9 +63,9 @@ class ContactSolver {
       return {position1, length * gradient1, position2, length * gradient2};
     }
   };
-  struct Pair {        // an element and a body
-    double stiffness;  // K of the materials, N/m^1.5
-    double mass;       // m_eff, kg
+  struct Pair {           // an element and a body
+    double stiffness;     // K of the materials, N/m^1.5
+    double mass;          // m_eff, kg
     double law_step = 0;  // s, for which `law` holds
     NormalLaw law{};
   };

@@ -76,9 +76,9 @@ class CordSearch {
   Eigen::ArrayXd quarter_length_;  // m, by gradient, of the longest element there
   BroadPhase broad_phase_;
   std::vector<Candidate> candidates_;
-  SlotVectors surveyed_;      // coordinates at the last survey
-  double travelled_ = 0;      // m, bound of the way of any point up to then
-  double expected_way_ = 0;   // m, that the broad phase was told to expect since then
+  SlotVectors surveyed_;     // coordinates at the last survey
+  double travelled_ = 0;     // m, bound of the way of any point up to then
+  double expected_way_ = 0;  // m, that the broad phase was told to expect since then
   double travel_per_step_ = 0;
   int steps_to_survey_ = 0;
   std::vector<std::int32_t> near_elements_;

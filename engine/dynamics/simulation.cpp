@@ -13,11 +13,13 @@
 #include "engine/bodies/symmetric_algebra.h"
 #include "engine/dynamics/cable_system.h"
 #include "engine/dynamics/channels.h"
+#include "engine/dynamics/step_choice.h"
 #include "engine/dynamics/towing.h"
 #include "engine/pocket/materials.h"
 #include "engine/pocket/pocket.h"
 #include "engine/scenario/closing_law.h"
 #include "engine/scenario/parameters.h"
+#include "engine/scenario/strategy.h"
 
 namespace netpocket {
 namespace {
@@ -51,13 +53,6 @@ double total_mass(const Model& model) {
   return mass;
 }
 
-// Parameters that a run can change on its way.
-bool acts_at_once(std::string_view key) {
-  if (key == "closing.elements") return false;
-  return key.starts_with("closing.") || key.starts_with("towing.") || key == "contact.friction" ||
-         key == "rods.pressure" || key == "spacecraft.station_keeping" || key == "output.end_time";
-}
-
 // A closing law that takes over from a motion at time `now`: the new law plus what length and speed differ by, which
 // fades within half a second by the quintic that starts with that difference and rate and ends at rest.
 std::function<RopeMotion(double)> blended_closing(const ClosingSchedule& schedule, const RopeMotion& before,
@@ -82,19 +77,15 @@ std::function<RopeMotion(double)> blended_closing(const ClosingSchedule& schedul
 
 }  // namespace
 
-// What sets a step: the whole of the cables taken as straight, how far they are bent, the closing ropes by themselves.
-enum class StepCause : std::uint8_t { cables, bends, ropes };
-
 struct Simulation::Impl {
   Impl(const Scenario& s, const SimulationOptions& options)
       : scenario(s),
         pocket(build_pocket(s)),
         system(pocket.model, system_options(s, options)),
         drive(s.towing, s.spacecraft.station_keeping, total_mass(pocket.model)),
-        channels(pocket) {
+        channels(pocket),
+        step_choice(system) {
     perturb();
-    find_bound();
-    shape_step = bound.step;
   }
 
   Scenario scenario;
@@ -102,16 +93,9 @@ struct Simulation::Impl {
   CableSystem system;
   SpacecraftDrive drive;
   ChannelRecorder channels;
-  StableStep bound{};     // of straight cables, at the rope length:
-  double bound_length = 0;  // m
-  int rope_step_class = std::numeric_limits<int>::max();  // of the length for which rope_step_value holds
-  double rope_step_value = 0;                             // s
-  double shape_step = 0;                                  // s, stable in the shape at the start of the interval
-  double time_step = 0;                                   // s, in the present interval
-  double smallest_step = std::numeric_limits<double>::infinity();
-  // Of the smallest step: StepCause, StepLimit, thread.
-  std::int64_t smallest_cause = 0, smallest_limit = 0, smallest_thread = 0;
-  std::int64_t interval = -1;       // stretch of equal steps, one or more to an output interval
+  StepChoice step_choice;
+  double time_step = 0;        // s, in the present interval
+  std::int64_t interval = -1;  // stretch of equal steps, one or more to an output interval
   std::int64_t interval_steps = 1, steps_in_interval = 0;
   double wall = 0, cpu = 0;
   std::vector<double> sound_state;  // a copy at step sound_step; empty: none yet
@@ -129,75 +113,6 @@ struct Simulation::Impl {
       for (double& component : displacement) component = uniform(generator);
     }
     system.displace(displacements);
-  }
-
-  // Largest step in use at this time: the elements' (with safety) and, as the closing ropes shorten, that of their
-  // elements.
-  double allowed_step(double time) {
-    if (scenario.solver.time_step > 0) return scenario.solver.time_step;
-    const VariableRope& rope = pocket.model.ropes.front();
-    const double length = rope.motion(time).length / static_cast<double>(rope.elements.size());
-    return scenario.solver.safety * std::min(shape_step, rope_step(length));
-  }
-
-  // Stable step of a closing-rope element, for its length rounded down to a power of 1.01: seldom anything to compute,
-  // and the same whatever came before.
-  double rope_step(double length) {
-    constexpr double kRatio = 1.01;
-    const int length_class = static_cast<int>(std::floor(std::log(length) / std::log(kRatio)));
-    if (length_class != rope_step_class) {
-      rope_step_class = length_class;
-      const std::int32_t element = pocket.model.ropes.front().elements.front();
-      const bool paired = std::ranges::all_of(pocket.model.ropes.front().elements,
-                                              [&](std::int32_t i) { return pocket.model.elements[i].mate >= 0; });
-      rope_step_value = stable_step_of_lumped_element(pocket.model.material_of(element).section,
-                                                      std::pow(kRatio, length_class), paired);
-    }
-    return rope_step_value;
-  }
-
-  double rope_length(double time) const { return pocket.model.ropes.front().motion(time).length; }
-
-  void find_bound() {
-    bound = system.stable_step();
-    bound_length = rope_length(system.time());
-  }
-
-  // Short closing ropes hold the rods' tips more stiffly: the bound is found anew as they shorten.
-  void keep_bound_up_to_date() {
-    constexpr double kChange = 0.85;
-    if (scenario.solver.evaluation == Evaluation::full) return;
-    const double length = rope_length(system.time());
-    if (length < kChange * bound_length || kChange * length > bound_length) find_bound();
-  }
-
-  // What limits the step at this time. Contacts never do: they are no stiffer than the step resolves.
-  StepCause cause_at(double time) {
-    constexpr double kNotable = 0.98;  // of the step of straight cords
-    if (allowed_step(time) < scenario.solver.safety * shape_step) return StepCause::ropes;
-    return shape_step < kNotable * bound.step ? StepCause::bends : StepCause::cables;
-  }
-
-  void note_smallest_step(double end) {
-    const double now = system.time();
-    smallest_step = time_step;
-    smallest_cause = static_cast<std::int64_t>(cause_at(allowed_step(end) < allowed_step(now) ? end : now));
-    smallest_limit = static_cast<std::int64_t>(bound.limit);
-    smallest_thread = bound.thread;
-  }
-
-  // What has limited the smallest step so far.
-  std::string step_limit() const {
-    if (scenario.solver.time_step > 0) return "solver.time_step";
-    if (smallest_cause == static_cast<std::int64_t>(StepCause::ropes)) {
-      return "waves in the closing ropes, the shorter the faster";
-    }
-    const bool none_yet = !std::isfinite(smallest_step);
-    const std::string cables =
-        none_yet ? limit_text(pocket.model, bound.limit, bound.thread)
-                 : limit_text(pocket.model, static_cast<StepLimit>(smallest_limit),
-                              static_cast<std::int32_t>(smallest_thread));
-    return smallest_cause == static_cast<std::int64_t>(StepCause::bends) ? cables + ", and bends of cords" : cables;
   }
 
   // Goes over to the laws of another scenario at the present time.
@@ -228,6 +143,7 @@ struct Simulation::Impl {
     system.visit_state(visit);
     channels.visit_state(visit);
     drive.visit_state(visit);
+    step_choice.visit_state(visit);
     const auto visit_count = [&](std::int64_t& count) {
       double value = static_cast<double>(count);
       visit(value);
@@ -237,16 +153,7 @@ struct Simulation::Impl {
     visit_count(interval);
     visit_count(interval_steps);
     visit_count(steps_in_interval);
-    std::int64_t limit = static_cast<std::int64_t>(bound.limit), thread = bound.thread;
-    for (std::int64_t* count : {&limit, &thread, &smallest_cause, &smallest_limit, &smallest_thread}) {
-      visit_count(*count);
-    }
-    bound.limit = static_cast<StepLimit>(limit);
-    bound.thread = static_cast<std::int32_t>(thread);
-    for (double* value : {&time_step, &smallest_step, &bound_length, &bound.step, &bound.stiffness, &bound.damping,
-                          &wall, &cpu}) {
-      visit(*value);
-    }
+    for (double* value : {&time_step, &wall, &cpu}) visit(*value);
   }
 
   // Divides the interval that begins now into equal steps.
@@ -255,12 +162,13 @@ struct Simulation::Impl {
     const double length = frame / std::ceil(frame / kLongestInterval);
     ++interval;
     const double end = static_cast<double>(interval + 1) * length;
-    keep_bound_up_to_date();
-    shape_step = system.stable_step_as_bent(bound);
-    const double allowed = std::min(allowed_step(system.time()), allowed_step(end));
+    const double allowed =
+        scenario.solver.time_step > 0
+            ? scenario.solver.time_step
+            : scenario.solver.safety * step_choice.stable_step(system, pocket.model.ropes.front(), end);
     interval_steps = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(length / allowed)));
     time_step = (end - static_cast<double>(interval) * length) / static_cast<double>(interval_steps);
-    if (time_step < smallest_step) note_smallest_step(end);
+    step_choice.note(time_step);
     steps_in_interval = 0;
   }
 
@@ -411,8 +319,13 @@ RunStatistics Simulation::statistics() const {
   result.steps = impl_->system.steps();
   result.elements = static_cast<std::int32_t>(structure().elements.size());
   result.coordinates = 3 * (structure().node_count + structure().gradient_count);
-  result.time_step = std::isfinite(impl_->smallest_step) ? impl_->smallest_step : impl_->allowed_step(0);
-  result.step_limit = impl_->step_limit();
+  const SolverParameters& solver = impl_->scenario.solver;
+  const StepChoice& choice = impl_->step_choice;
+  const double given = solver.time_step;
+  result.time_step = std::isfinite(choice.smallest_step()) ? choice.smallest_step()
+                     : given > 0                           ? given
+                                                           : solver.safety * choice.first_stable_step();
+  result.step_limit = given > 0 ? "solver.time_step" : choice.limit();
   result.evaluation = impl_->scenario.solver.evaluation == Evaluation::full ? "full" : "mean_strain";
   return result;
 }

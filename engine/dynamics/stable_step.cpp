@@ -47,8 +47,7 @@ ModeEnergy add_element_product(std::span<const BatchElement> elements, std::size
   const Eigen::Vector3d chord = (x[r2] - x[r1]) * inverse_length;
   const double own = directions[index].dot(chord);
   const auto mate = static_cast<std::size_t>(element.mate);
-  const double strain =
-      element.mate < 0 ? own : paired_strain(own, strain_change(elements[mate], directions[mate], x));
+  const double strain = element.mate < 0 ? own : paired_strain(own, strain_change(elements[mate], directions[mate], x));
   const double tension = section.EA * (1 + factor * section.axial_damping) * strain;
   const Eigen::Vector3d s = x[g1] - x[g2], a = x[g1] + x[g2] - 2 * chord;
   const double bending = section.EI * inverse_length * (1 + factor * section.bending_damping);
@@ -108,7 +107,7 @@ StableStep find_stable_step(const Model& model, const SlotLayout& layout, std::s
                             std::span<const double> inverse_mass, const SlotVectors& coordinates) {
   constexpr int kIterations = 120, kLeastIterations = 30;
   constexpr double kSettled = 2e-5;  // relative change of the step by an iteration
-  constexpr double kMargin = 1.02;  // the Rayleigh quotient approaches the highest square frequency from below
+  constexpr double kMargin = 1.02;   // the Rayleigh quotient approaches the highest square frequency from below
   Vectors x = start_vector(coordinates.size()), product(x.size());
   const Vectors directions = chord_directions(elements, coordinates);
   double step = 1e-4;

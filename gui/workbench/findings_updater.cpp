@@ -51,7 +51,7 @@ void FindingsUpdater::begin() {
     const Run* run = session_.runs().find(id);
     if (run == nullptr || run->frame_count() < 2) continue;
     job.paths.push_back(run->file->path());
-    job.running = job.running || run->state != RunState::recorded;
+    job.running = job.running || (run->state != RunState::recorded && run->state != RunState::ended);
     last = id;
   }
   if (last < 0) {

@@ -1,9 +1,13 @@
 #include "gui/workbench/main_window.h"
 
+#include <QAbstractButton>
+#include <QAbstractItemView>
 #include <QApplication>
 #include <QCloseEvent>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QFileInfo>
+#include <QKeyEvent>
 #include <QMimeData>
 #include <QSplitter>
 
@@ -15,7 +19,7 @@
 #include "gui/workbench/lost_runs_bar.h"
 #include "gui/workbench/panels/findings_panel.h"
 #include "gui/workbench/panels/plots_panel.h"
-#include "gui/workbench/picked_series.h"
+#include "gui/workbench/picked_plot.h"
 #include "gui/workbench/placement_actions.h"
 #include "gui/workbench/run_actions.h"
 #include "gui/workbench/run_file_actions.h"
@@ -71,6 +75,7 @@ MainWindow::MainWindow(const WindowOptions& options)
       preview_(std::make_unique<PreviewBuilder>()),
       presenter_(options.presenter.value_or(read_preferences(*settings_).presenter)) {
   setAcceptDrops(true);
+  QApplication::instance()->installEventFilter(this);
   setDockNestingEnabled(true);
   setCentralWidget(make_center(run_folder(options)));
   make_docks();
@@ -139,6 +144,7 @@ void MainWindow::connect_session() {
 }
 
 void MainWindow::connect_panels() {
+  picked_plot_ = new PickedPlot(*session_, *plots_, this);
   connect(exports_, &ExportTray::failed, this, &MainWindow::show_notice);
   connect(exports_, &ExportTray::finished, this,
           [this](const QString& result) { status_->showMessage(tr("Exported %1").arg(result), 10000); });
@@ -267,24 +273,13 @@ void MainWindow::show_second_view(bool shown) {
 }
 
 void MainWindow::plot_pick(RunId id, const Pick& pick) {
-  const Run* run = session_->runs().find(id);
-  if (run == nullptr || run->frame_count() == 0) {
-    show_notice(tr("There is no run yet whose frames could be plotted."));
-    return;
-  }
-  const auto quantities = quantities_of(pick);
-  session_->runs().collect(
-      run->id, [pick, structure = run->structure](const Snapshot& frame) { return values_of(pick, *structure, frame); },
-      [this, quantities](const std::vector<double>& times, const std::vector<std::vector<double>>& rows) {
-        plots_->set_picked(picked_panels(quantities, times, rows));
-        plots_->show_figure("picked");
-      });
+  if (!picked_plot_->plot(id, pick)) show_notice(tr("There is no run yet whose frames could be plotted."));
 }
 
 void MainWindow::run_changed() {
   const Run* run = session_->current();
   status_->show_run(run, session_->shown_index());
-  editor_->set_run_active(session_->live() != nullptr);
+  editor_->set_running(session_->live() ? &session_->live()->scenario : nullptr);
   findings_updater_->request();
   if (run == nullptr) plots_->set_time(std::nullopt);
 }
@@ -296,10 +291,10 @@ void MainWindow::update_plots() {
   findings_updater_->request();
 }
 
-void MainWindow::strategy_answered(const Diagnostics& refused, double time) {
+void MainWindow::strategy_answered(RunId id, const Diagnostics& refused, double time) {
   if (!refused.ok()) return;  // the editor says what needs a restart
-  if (const Run* live = session_->live(); live != nullptr && live->frame_count() > 1) {
-    session_->runs().add_note(live->id, {TimeMark::Kind::strategy, time, tr("Strategy changed")});
+  if (const Run* run = session_->runs().find(id); run != nullptr && run->frame_count() > 1) {
+    session_->runs().add_note(id, {TimeMark::Kind::strategy, time, tr("Strategy changed")});
   }
 }
 
@@ -328,6 +323,20 @@ void MainWindow::dropEvent(QDropEvent* event) {
   if (path.isEmpty()) return;
   event->acceptProposedAction();
   open(path);
+}
+
+// A focused button or list keeps the space bar, which runs and pauses everywhere else.
+bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride) {
+    const auto* key = static_cast<QKeyEvent*>(event);
+    const bool uses_space = qobject_cast<QAbstractButton*>(watched) || qobject_cast<QAbstractItemView*>(watched) ||
+                            qobject_cast<QComboBox*>(watched);
+    if (uses_space && key->key() == Qt::Key_Space && key->modifiers() == Qt::NoModifier) {
+      event->accept();
+      return true;
+    }
+  }
+  return QMainWindow::eventFilter(watched, event);
 }
 
 void MainWindow::changeEvent(QEvent* event) {

@@ -24,6 +24,7 @@ class FindingsPanel;
 class FindingsUpdater;
 class LostRunsBar;
 class MessageBar;
+class PickedPlot;
 class PlotsPanel;
 class RunActions;
 class RunFileActions;
@@ -83,6 +84,7 @@ class MainWindow : public QMainWindow {
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
   void changeEvent(QEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   QWidget* make_center(const QString& run_folder);
@@ -103,7 +105,7 @@ class MainWindow : public QMainWindow {
   void show_second_view(bool shown);
   void set_moving(bool moving);
   void ask_for_preferences();
-  void strategy_answered(const Diagnostics& refused, double time);
+  void strategy_answered(RunId id, const Diagnostics& refused, double time);
 
   std::unique_ptr<QSettings> settings_;
   std::unique_ptr<CaptureSession> session_;
@@ -119,6 +121,7 @@ class MainWindow : public QMainWindow {
   ScenarioEditor* editor_ = nullptr;
   PlotsPanel* plots_ = nullptr;
   FindingsPanel* findings_ = nullptr;
+  PickedPlot* picked_plot_ = nullptr;
   RunsPanel* runs_panel_ = nullptr;
   RunStatusBar* status_ = nullptr;
   RunActions* run_actions_ = nullptr;

@@ -98,6 +98,9 @@ void MainWindow::make_menus(const WindowOptions& options) {
   undo->setShortcut(QKeySequence::Undo);
   auto* redo = document_->undo_stack()->createRedoAction(this, tr("Redo"));
   redo->setShortcut(QKeySequence::Redo);
+  // What they are called where it does not matter what they would undo.
+  undo->setIconText(tr("Undo"));
+  redo->setIconText(tr("Redo"));
   edit->addActions({undo, redo});
   edit->addSeparator();
   auto* find =

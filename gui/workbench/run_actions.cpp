@@ -84,10 +84,7 @@ void RunActions::branch() {
 
 void RunActions::run_to(const Resume& goal) {
   const Run* live = session_.live();
-  const bool can_go_on = live != nullptr && live->status.reason != RunReason::diverged &&
-                         (live->state == RunState::paused || live->state == RunState::running ||
-                          live->end_time() < live->scenario.output.end_time - 1e-6);
-  if (!can_go_on) {
+  if (live == nullptr || !live->can_go_on()) {
     const auto scenario = scenario_();
     if (!scenario) return;
     session_.start(*scenario, false);
@@ -126,7 +123,7 @@ void RunActions::refresh() {
   run_->setIcon(action_icon(running ? ActionIcon::pause : ActionIcon::run));
   run_->setText(running ? tr("Pause") : tr("Run"));
   const Run* current = session_.current();
-  step_->setEnabled(session_.live() != nullptr);
+  step_->setEnabled(session_.live() != nullptr && session_.live()->can_go_on());
   branch_->setEnabled(current != nullptr && current->continuable && current->frame_count() > 0);
 }
 

@@ -7,6 +7,8 @@
 namespace netpocket {
 namespace {
 
+constexpr int kFieldMargin = 6;  // pixels
+
 QString state_text(const Run& run) {
   switch (run.state) {
     case RunState::preparing:
@@ -25,9 +27,9 @@ QString state_text(const Run& run) {
 
 QString step_text(const RunStatistics& statistics, double step) {
   if (!(step > 0)) return {};
-  return RunStatusBar::tr("step %1 µs: %2")
-      .arg(1e6 * step, 0, 'f', 1)
-      .arg(QString::fromStdString(statistics.step_limit));
+  const QString limit = QString::fromStdString(statistics.step_limit);
+  if (step >= 1e-3) return RunStatusBar::tr("step %1 ms: %2").arg(1e3 * step, 0, 'f', 2).arg(limit);
+  return RunStatusBar::tr("step %1 µs: %2").arg(1e6 * step, 0, 'f', 1).arg(limit);
 }
 
 // The error against the energy put in so far.
@@ -36,7 +38,9 @@ QString energy_text(const RunSeries& series, std::size_t frame) {
                                 std::abs(series.channel(Channel::energy_kinetic)[frame]));
   const double error = series.channel(Channel::energy_error)[frame];
   if (!(input > 1e-9)) return RunStatusBar::tr("energy error %1 J").arg(error, 0, 'g', 2);
-  return RunStatusBar::tr("energy error %1 %").arg(100 * std::abs(error) / input, 0, 'g', 2);
+  const double percent = 100 * std::abs(error) / input;
+  const QString number = percent < 10 ? QString::number(percent, 'g', 2) : QString::number(percent, 'f', 0);
+  return RunStatusBar::tr("energy error %1 %").arg(number);
 }
 
 }  // namespace
@@ -54,7 +58,8 @@ RunStatusBar::RunStatusBar(QWidget* parent) : QStatusBar(parent) {
 QLabel* RunStatusBar::add_field(const QString& help, const char* widest) {
   auto* label = new QLabel;
   label->setToolTip(help);
-  label->setMinimumWidth(fontMetrics().horizontalAdvance(QString::fromUtf8(widest)) + 8);
+  label->setContentsMargins(kFieldMargin, 0, kFieldMargin, 0);
+  label->setMinimumWidth(fontMetrics().horizontalAdvance(QString::fromUtf8(widest)) + 2 * kFieldMargin);
   addPermanentWidget(label);
   return label;
 }

@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QHeaderView>
+#include <QLabel>
 #include <QMenu>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
@@ -11,6 +12,7 @@ namespace {
 
 enum Column { kName, kTime, kState, kColumnCount };
 constexpr int kIdRole = Qt::UserRole;
+constexpr int kRowPadding = 8;  // pixels
 
 RunId id_of(const QTreeWidgetItem& item) { return item.data(kName, kIdRole).toInt(); }
 
@@ -34,7 +36,10 @@ QString state_name(const Run& run) {
 }  // namespace
 
 RunsPanel::RunsPanel(CaptureSession& session, QWidget* parent)
-    : QWidget(parent), session_(session), list_(new QTreeWidget) {
+    : QWidget(parent),
+      session_(session),
+      list_(new QTreeWidget),
+      empty_(new QLabel(tr("Runs and opened recordings are listed here."))) {
   list_->setHeaderLabels({tr("Run"), tr("Until"), tr("State")});
   list_->setRootIsDecorated(false);
   list_->setUniformRowHeights(true);
@@ -50,6 +55,12 @@ RunsPanel::RunsPanel(CaptureSession& session, QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(list_);
+  layout->addWidget(empty_);
+  empty_->setAlignment(Qt::AlignCenter);
+  empty_->setWordWrap(true);
+  empty_->setMargin(24);
+  empty_->setForegroundRole(QPalette::PlaceholderText);
+  show_list();
 
   auto* remove_action = new QAction(tr("Remove"), list_);
   remove_action->setShortcut(Qt::Key_Delete);
@@ -87,13 +98,21 @@ void RunsPanel::add(RunId id) {
   item->setData(kName, kIdRole, id);
   item->setFlags(item->flags() | Qt::ItemIsUserCheckable | Qt::ItemIsEditable);
   item->setCheckState(kName, Qt::Unchecked);
+  item->setSizeHint(kName, QSize(0, fontMetrics().height() + kRowPadding));
   item->setTextAlignment(kTime, Qt::AlignRight | Qt::AlignVCenter);
   refresh(id);
+  show_list();
+}
+
+void RunsPanel::show_list() {
+  list_->setVisible(list_->topLevelItemCount() > 0);
+  empty_->setVisible(list_->topLevelItemCount() == 0);
 }
 
 void RunsPanel::remove(RunId id) {
   const QSignalBlocker quiet(list_);
   delete item_of(id);
+  show_list();
   emit compared_changed();
 }
 

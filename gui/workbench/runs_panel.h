@@ -6,6 +6,8 @@
 
 #include "gui/workbench/session/capture_session.h"
 
+class QLabel;
+
 namespace netpocket {
 
 class RunsPanel : public QWidget {
@@ -26,10 +28,12 @@ class RunsPanel : public QWidget {
   void remove(RunId id);
   void refresh(RunId id);
   void mark_current();
+  void show_list();
   void show_menu(const QPoint& position);
 
   CaptureSession& session_;
   QTreeWidget* list_;
+  QLabel* empty_;  // instead of a list without runs
 };
 
 }  // namespace netpocket

@@ -42,6 +42,7 @@ ViewActions::ViewActions(Viewport& viewport, QSettings& settings, QWidget* windo
   options_.color_by = static_cast<ColorBy>(std::clamp(settings.value("view/color_by", 0).toInt(), 0, 4));
   ground_ = static_cast<Ground>(std::clamp(settings.value("view/ground", 0).toInt(), 0, 2));
   options_.annotation_scale = 0.9;
+  options_.legend_ground = true;
   options_.fast_smoothing = true;
   apply();
 }

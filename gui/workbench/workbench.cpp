@@ -7,6 +7,7 @@
 
 #include "gui/workbench/main_window.h"
 #include "gui/workbench/viewport/viewport.h"
+#include "gui/workbench/window_style.h"
 
 namespace netpocket {
 namespace {
@@ -98,6 +99,7 @@ int run_workbench(const WorkbenchOptions& options) {
   auto trouble = std::make_unique<DisplayTrouble>(options.no_display);
   QApplication application(argc, argv);
   trouble.reset();
+  QApplication::setStyle(new WindowStyle);
   QApplication::setApplicationName("netpocket");
   QApplication::setApplicationDisplayName("Netpocket");
   QApplication::setApplicationVersion(QString::fromStdString(options.version));

@@ -76,6 +76,12 @@ OverlayText::OverlayText(const Color& color, Align align, bool bold) {
   actor_->GetPositionCoordinate()->SetCoordinateSystemToViewport();
 }
 
+void OverlayText::set_ground(const Color& color) {
+  constexpr double kOpacity = 0.85;
+  actor_->GetTextProperty()->SetBackgroundColor(color[0], color[1], color[2]);
+  actor_->GetTextProperty()->SetBackgroundOpacity(kOpacity);
+}
+
 void OverlayText::set_text(const std::string& text) { actor_->SetInput(text.c_str()); }
 
 void OverlayText::place(const Eigen::Vector2d& position, double size) {

@@ -43,6 +43,8 @@ class OverlayText {
  public:
   OverlayText(const Color& color, Align align, bool bold = false);
 
+  // Lets little of what is behind shine through.
+  void set_ground(const Color& color);
   void set_text(const std::string& text);
   // The middle of the text's height, its left end, middle or right end; size in pixels.
   void place(const Eigen::Vector2d& position, double size);

@@ -51,10 +51,11 @@ struct DisplayOptions {
 };
 
 struct SceneOptions : DisplayOptions {
-  std::optional<PhaseTimes> phases;     // absent: the time stands alone
-  double line_scale = 1;                // of the widths of lines
-  double annotation_scale = 1;          // of labels, legend, scale bar and axes
-  bool fast_smoothing = false;          // FXAA, for windows; files are better smoothed by supersampling
+  std::optional<PhaseTimes> phases;  // absent: the time stands alone
+  double line_scale = 1;             // of the widths of lines
+  double annotation_scale = 1;       // of labels, legend, scale bar and axes
+  bool legend_ground = false;   // the legend's texts stand on the background's colour, so that no cord crosses them
+  bool fast_smoothing = false;  // FXAA, for windows; files are better smoothed by supersampling
   bool transparent_background = false;  // the picture's alpha tells where something is drawn
 };
 

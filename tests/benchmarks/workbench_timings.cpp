@@ -16,6 +16,7 @@
 
 #include "engine/scenario/read_scenario.h"
 #include "gui/workbench/main_window.h"
+#include "gui/workbench/panels/plots_panel.h"
 #include "gui/workbench/run_actions.h"
 #include "gui/workbench/viewport/viewport.h"
 
@@ -119,6 +120,7 @@ class Bench {
     measure_start();
     measure_preview();
     measure_running();
+    measure_plots();
     measure_scrubbing();
   }
 
@@ -199,6 +201,22 @@ class Bench {
     wait_until([&] { return !window_->session().is_running(); });
   }
 
+  // Processor time of what a growing run draws anew, of the run so far.
+  void measure_plots() {
+    auto& plots = window_->plots();
+    for (const char* name : {"figure03_closing", "figure05_force", "figure06_position", "energy", "tension"}) {
+      plots.show_figure(name);
+      Samples samples;
+      for (int i = 0; i < 9; ++i) {
+        const double start = thread_milliseconds();
+        plots.chart()->set_figure(Figure(plots.chart()->figure()));
+        plots.chart()->grab();
+        samples.add(thread_milliseconds() - start);
+      }
+      samples.print(fmt::format("processor time of {}", name).c_str(), 20);
+    }
+  }
+
   void measure_scrubbing() {
     Scenario scenario = scenario_;
     scenario.output.frame_rate = 1000;
@@ -212,15 +230,18 @@ class Bench {
   }
 
   void scrub(const char* what) {
-    Samples samples;
+    Samples samples, drawing;
     auto& session = window_->session();
     const std::size_t count = session.current()->frame_count();
     for (std::size_t i = 0; i < 300; ++i) {
       const std::size_t index = (i * 617) % count;
       const double time = session.current()->series.times()[index];
       bool came = false;
-      const auto connection = QObject::connect(&window_->viewport(), &Viewport::picture_shown,
-                                               [&](double shown) { came = came || shown == time; });
+      const auto connection =
+          QObject::connect(&window_->viewport(), &Viewport::picture_shown, [&](double shown, double seconds) {
+            drawing.add(1e3 * seconds);
+            came = came || shown == time;
+          });
       QElapsedTimer timer;
       timer.start();
       session.show_frame(index);
@@ -229,6 +250,7 @@ class Bench {
       samples.add(1e-6 * static_cast<double>(timer.nsecsElapsed()));
     }
     samples.print(what, 50);
+    drawing.print("    of which its pictures are being drawn", 50);
   }
 
   WatchedApplication& application_;

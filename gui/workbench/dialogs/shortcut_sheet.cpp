@@ -6,12 +6,18 @@
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
+#include <QScreen>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
 #include <vector>
 
+#include "gui/workbench/panels/tones.h"
+
 namespace netpocket {
 namespace {
+
+constexpr int kKeysWidth = 110;  // pixels
 
 struct Line {
   QString keys;
@@ -27,7 +33,7 @@ void collect(const QMenu& menu, std::vector<Line>& lines) {
     if (action->menu()) {
       collect(*action->menu(), lines);
     } else if (!action->shortcut().isEmpty()) {
-      lines.push_back({action->shortcut().toString(QKeySequence::NativeText), action->text().remove('&')});
+      lines.push_back({action->shortcut().toString(QKeySequence::NativeText), action->iconText()});
     }
   }
 }
@@ -60,7 +66,8 @@ QWidget* make_section(const Section& section) {
   auto* grid = new QGridLayout(box);
   grid->setContentsMargins(0, 0, 0, 12);
   grid->setHorizontalSpacing(16);
-  grid->setVerticalSpacing(3);
+  grid->setVerticalSpacing(1);
+  grid->setColumnMinimumWidth(0, kKeysWidth);
   auto* title = new QLabel(section.title);
   QFont font = title->font();
   font.setBold(true);
@@ -69,7 +76,9 @@ QWidget* make_section(const Section& section) {
   int row = 1;
   for (const Line& line : section.lines) {
     auto* keys = new QLabel(line.keys);
-    keys->setForegroundRole(QPalette::Link);
+    QPalette colours = keys->palette();
+    colours.setColor(QPalette::WindowText, tone_colour(Tone::accent, colours));
+    keys->setPalette(colours);
     grid->addWidget(keys, row, 0);
     grid->addWidget(new QLabel(line.what), row++, 1);
   }
@@ -96,7 +105,7 @@ ShortcutSheet::ShortcutSheet(const QMenuBar& menus, QWidget* parent) : QDialog(p
     const std::size_t middle = used + section.lines.size() / 2;
     if (column == nullptr || (middle * kColumns >= count * lines && count < kColumns)) {
       column = new QVBoxLayout;
-      columns->addLayout(column, 1);
+      columns->addLayout(column);
       ++count;
     }
     column->addWidget(make_section(section));
@@ -112,7 +121,9 @@ ShortcutSheet::ShortcutSheet(const QMenuBar& menus, QWidget* parent) : QDialog(p
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(scroll);
   layout->addWidget(buttons);
-  resize(1000, 700);
+  // Never cut at the side; as high as the screen has room for.
+  const QSize wanted = page->sizeHint() + QSize(scroll->verticalScrollBar()->sizeHint().width() + 40, 70);
+  resize(wanted.boundedTo(screen()->availableSize() * 0.95));
 }
 
 }  // namespace netpocket

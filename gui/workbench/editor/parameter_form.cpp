@@ -53,11 +53,12 @@ void ParameterForm::build() {
   for (const ParameterGroup& group : parameter_groups()) {
     auto* box = new GroupBox(title(group), text(group.help), content);
     Section section{box, {}};
-    for (const Parameter& parameter : parameters_of(group)) add_row(section, parameter);
+    // In front of its parameters, so that it stays in sight while they are edited.
     if (group.name == "closing") {
       preview_ = new ClosingPreview(box);
       box->add(preview_);
     }
+    for (const Parameter& parameter : parameters_of(group)) add_row(section, parameter);
     layout->addWidget(box);
     groups_[text(group.name)] = box;
     sections_.push_back(std::move(section));

@@ -6,6 +6,7 @@
 #include <initializer_list>
 
 #include "engine/scenario/parameter_text.h"
+#include "engine/scenario/strategy.h"
 
 namespace netpocket {
 namespace {
@@ -143,10 +144,7 @@ std::optional<QString> why_unused(const Parameter& parameter, const Scenario& sc
 
 EditEffect edit_effect(const Parameter& parameter) {
   if (parameter.group().empty()) return EditEffect::none;
-  const bool strategy = (parameter.group() == "closing" && parameter.name() != "elements") ||
-                        parameter.group() == "towing" || parameter.key == "contact.friction" ||
-                        parameter.key == "contact.friction_velocity";
-  return strategy ? EditEffect::at_once : EditEffect::restart;
+  return acts_at_once(parameter.key) ? EditEffect::at_once : EditEffect::restart;
 }
 
 }  // namespace netpocket

@@ -33,8 +33,7 @@ std::optional<QString> why_unused(const Parameter& parameter, const Scenario& sc
 // What changing a parameter means to a run that goes on.
 enum class EditEffect { none, at_once, restart };
 
-// Strategy acts at once: closing law (not the number of elements), towing, friction. Names have no effect. Everything
-// else makes another model.
+// Names have no effect; strategy acts at once (engine/scenario/strategy.h); everything else makes another model.
 EditEffect edit_effect(const Parameter& parameter);
 
 }  // namespace netpocket

@@ -117,9 +117,9 @@ void ScenarioEditor::follow_edit(const QStringList& keys) {
   if (!strategy.isEmpty()) emit strategy_edited(strategy);
 }
 
-void ScenarioEditor::set_run_active(bool active) {
-  running_ = active ? std::optional(document_->scenario()) : std::nullopt;
-  form_->set_running(running_ ? &*running_ : nullptr);
+void ScenarioEditor::set_running(const Scenario* running) {
+  running_ = running != nullptr;
+  form_->set_running(running);
   show_restart();
 }
 

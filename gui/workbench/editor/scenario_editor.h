@@ -24,10 +24,10 @@ class ScenarioEditor : public QWidget {
   // The document must outlive the editor.
   explicit ScenarioEditor(ScenarioDocument* document, QWidget* parent = nullptr);
 
-  // From now on a run of the document's scenario goes on, or none. While one does, strategy edits are announced by
-  // strategy_edited() and other changes are marked as needing a restart.
-  void set_run_active(bool active);
-  bool is_run_active() const { return running_.has_value(); }
+  // What the run that goes on has of its scenario by now; null: no run goes on. While one does, strategy edits are
+  // announced by strategy_edited() and other changes are marked as needing a restart.
+  void set_running(const Scenario* running);
+  bool is_run_active() const { return running_; }
   // Changed since the run started and not taken up by it.
   QStringList keys_that_need_restart() const;
 
@@ -81,7 +81,7 @@ class ScenarioEditor : public QWidget {
   MessageBar* restart_bar_;
   MessageBar* recovery_bar_;
   MessageBar* text_bar_;
-  std::optional<Scenario> running_;
+  bool running_ = false;
   std::optional<LostWork> lost_work_;
   QStringList restart_keys_;
 };

@@ -50,7 +50,7 @@ class ChartView : public QWidget {
   std::optional<QPointF> point_at(double time) const;
 
   QSize sizeHint() const override { return {520, 300}; }
-  QSize minimumSizeHint() const override { return {220, 140}; }
+  QSize minimumSizeHint() const override { return {220, 240}; }
 
  signals:
   void time_clicked(double time);  // also while the cursor is dragged

@@ -1,7 +1,6 @@
 #include "gui/workbench/panels/findings_panel.h"
 
 #include <QEvent>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -14,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/recording/report.h"
+#include "gui/workbench/panels/ask_for_file.h"
 #include "gui/workbench/panels/icons.h"
 
 namespace netpocket {
@@ -35,6 +35,9 @@ Tone tone(FindingMark mark) {
   if (mark == FindingMark::pending) return Tone::muted;
   return mark == FindingMark::yes ? Tone::good : Tone::bad;
 }
+
+// Lines may break at a bar: "|F_x|" stays in one piece with a word joiner after its first bar.
+QString with_magnitudes_whole(QString words) { return words.replace("|F", QString("|") + QChar(0x2060) + "F"); }
 
 QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
 
@@ -143,7 +146,8 @@ void FindingsPanel::fill() {
   fit_.start();
   table_->setVisible(!findings_.empty());
   empty_->setVisible(findings_.empty());
-  export_->setEnabled(!findings_.empty());
+  export_->setVisible(!findings_.empty());
+  counts_->setVisible(!findings_.empty());
   show_counts();
 }
 
@@ -166,7 +170,7 @@ void FindingsPanel::add_case(int row, const Finding& finding, const FindingCase&
       tr("<p><b>%1: %2</b></p><p>Rule: %3</p>").arg(text(finding.id), word, text(finding.rule).toHtmlEscaped());
   const bool first = &finding_case == &finding.cases.front();
   const QStringList texts = {QString(), first ? text(finding.id) + "  " + text(finding.text) : QString(),
-                             text(finding_case.name), text(finding_case.value)};
+                             text(finding_case.name), with_magnitudes_whole(text(finding_case.value))};
   // Every other finding stands on another ground.
   const bool odd = (&finding - findings_.data()) % 2 == 1;
   const QBrush ground = odd ? palette().alternateBase() : palette().base();
@@ -219,11 +223,8 @@ std::optional<QString> FindingsPanel::export_findings(const QString& path) const
 }
 
 void FindingsPanel::ask_for_export() {
-  auto* dialog = new QFileDialog(this, tr("Export findings"), "findings.txt", tr("Text (*.txt);;JSON (*.json)"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setDefaultSuffix("txt");
-  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+  const FileQuestion question = {tr("Export findings"), "findings.txt", tr("Text (*.txt);;JSON (*.json)"), "txt"};
+  ask_for_file(this, question, [this](const QString& path) {
     const auto problem = export_findings(path);
     if (problem) {
       emit export_failed(*problem);
@@ -231,7 +232,6 @@ void FindingsPanel::ask_for_export() {
       emit exported(path);
     }
   });
-  dialog->open();
 }
 
 }  // namespace netpocket

@@ -1,7 +1,6 @@
 #include "gui/workbench/panels/plots_panel.h"
 
 #include <QComboBox>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
@@ -9,6 +8,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "gui/workbench/panels/ask_for_file.h"
 #include "gui/workbench/panels/figure_image.h"
 #include "gui/workbench/panels/rich_label.h"
 #include "gui/workbench/panels/tones.h"
@@ -35,8 +35,8 @@ QString value_html(const Curve& curve, const QString& name, double value, const 
 
 QStringList panel_values(const Panel& panel, double time, const QPalette& palette) {
   QStringList values;
-  const bool labelled =
-      std::any_of(panel.curves.begin(), panel.curves.end(), [](const Curve& curve) { return !curve.label.empty(); });
+  const bool labelled = std::ranges::any_of(
+      panel.curves, [](const Curve& curve) { return curve.marker == Marker::none && !curve.label.empty(); });
   for (const Curve& curve : panel.curves) {
     if (curve.marker != Marker::none || (labelled && curve.label.empty())) continue;
     const auto value = value_at(curve, time);
@@ -197,12 +197,9 @@ std::optional<QString> PlotsPanel::export_figure(const QString& path) const {
 }
 
 void PlotsPanel::ask_for_export() {
-  auto* dialog =
-      new QFileDialog(this, tr("Export figure"), figure_name() + ".pdf", tr("PDF (*.pdf);;SVG (*.svg);;PNG (*.png)"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setDefaultSuffix("pdf");
-  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+  const FileQuestion question = {tr("Export figure"), figure_name() + ".pdf",
+                                 tr("PDF (*.pdf);;SVG (*.svg);;PNG (*.png)"), "pdf"};
+  ask_for_file(this, question, [this](const QString& path) {
     const auto problem = export_figure(path);
     if (problem) {
       emit export_failed(*problem);
@@ -210,7 +207,6 @@ void PlotsPanel::ask_for_export() {
       emit exported(path);
     }
   });
-  dialog->open();
 }
 
 }  // namespace netpocket

@@ -2,6 +2,8 @@
 
 #include <QDir>
 #include <QTimer>
+#include <algorithm>
+#include <utility>
 
 namespace netpocket {
 
@@ -26,6 +28,7 @@ void CaptureSession::take_reports() {
     if (runs_.is_busy()) break;
     const auto report = worker_->take_report();
     if (!report) return;
+    finish_left_runs(std::visit([](const auto& r) { return r.run; }, *report));
     std::visit([this](const auto& r) { take(r); }, *report);
   }
   if (!notified_.exchange(true))
@@ -45,67 +48,88 @@ void CaptureSession::take(const StateChanged& report) {
   constexpr RunState kStates[] = {RunState::paused, RunState::preparing, RunState::running, RunState::paused,
                                   RunState::ended};
   runs_.set_state(report.run, kStates[static_cast<int>(report.state)], report.status, report.statistics);
-  if (report.status.reason == RunReason::diverged) emit run_diverged(QString::fromStdString(report.status.message));
+  if (report.status.reason == RunReason::diverged)
+    emit run_diverged(
+        tr("The run has diverged and stands still: %1.").arg(QString::fromStdString(report.status.message)));
 }
 
 void CaptureSession::take(const StrategyChanged& report) {
   runs_.set_scenario(report.run, report.scenario);
-  emit strategy_answered(report.diagnostics, report.time);
+  emit strategy_answered(report.run, report.diagnostics, report.time);
 }
 
 void CaptureSession::take(const CheckpointTaken& report) { runs_.append(report.run, report.checkpoint); }
 
 void CaptureSession::take(const WorkerFailed& report) {
-  if (report.run == live_) leave_live_run();
+  if (report.run == live_) {
+    leave_live_run();
+    finish_left_runs(kNoRun);
+  }
   emit failed(tr("The simulation ended: %1.").arg(QString::fromStdString(report.message)));
 }
 
+// Its last frames may still be under way.
 void CaptureSession::leave_live_run() {
-  if (live_ >= 0) runs_.finish(live_);
-  live_ = -1;
+  if (live_ != kNoRun) left_.push_back(live_);
+  live_ = kNoRun;
 }
 
-QString CaptureSession::unused_name(const QString& name) const {
-  const auto taken = [this](const QString& candidate) {
-    const auto ids = runs_.ids();
-    return std::any_of(ids.begin(), ids.end(), [&](RunId id) { return runs_.find(id)->name == candidate; });
-  };
-  QString candidate = name;
-  for (int i = 2; taken(candidate); ++i) candidate = QString("%1 (%2)").arg(name).arg(i);
-  return candidate;
+// Reports come in the order of the commands: once there is one of a later run, the earlier ones are complete.
+void CaptureSession::finish_left_runs(RunId reporting) {
+  const auto end = std::ranges::find(left_, reporting);
+  std::vector<RunId> complete(left_.begin(), end);
+  left_.erase(left_.begin(), end);
+  for (const RunId id : complete) {
+    runs_.finish(id);
+    // Another run was wanted before this one came to its first frame.
+    if (const Run* run = runs_.find(id); run != nullptr && run->frame_count() == 0) remove_run(id);
+  }
+}
+
+void CaptureSession::post(WorkerCommand command) {
+  if (held_) {
+    held_->push_back(std::move(command));
+  } else {
+    worker_->post(std::move(command));
+  }
+}
+
+void CaptureSession::release_held() {
+  auto held = std::exchange(held_, std::nullopt);
+  for (WorkerCommand& command : *held) worker_->post(std::move(command));
 }
 
 void CaptureSession::start(const Scenario& scenario, bool run) {
   leave_live_run();
-  live_ = runs_.add(unused_name(QString::fromStdString(scenario.name)), scenario);
-  worker_->post(BeginRun{live_, scenario});
+  live_ = runs_.add(runs_.unused_name(QString::fromStdString(scenario.name)), scenario);
+  post(BeginRun{live_, scenario});
   follow_ = true;
   show_run(live_);
   if (run) resume();
 }
 
 void CaptureSession::resume(const Resume& goal) {
-  if (live_ < 0) return;
-  worker_->post(goal);
+  if (live_ == kNoRun) return;
+  post(goal);
 }
 
-void CaptureSession::pause() { worker_->post(Pause{}); }
+void CaptureSession::pause() { post(Pause{}); }
 
 void CaptureSession::single_step() {
   follow_ = true;
   if (current_ != live_) show_run(live_);
-  worker_->post(SingleStep{});
+  post(SingleStep{});
 }
 
-void CaptureSession::set_pace(double rate) { worker_->post(SetPace{rate}); }
+void CaptureSession::set_pace(double rate) { post(SetPace{rate}); }
 
 void CaptureSession::set_threads(int threads) {
   runs_.set_threads(threads);
-  worker_->post(SetThreads{threads});
+  post(SetThreads{threads});
 }
 
 void CaptureSession::change_strategy(const Scenario& scenario) {
-  if (live_ >= 0) worker_->post(ChangeStrategy{scenario});
+  if (live_ != kNoRun) post(ChangeStrategy{scenario});
 }
 
 bool CaptureSession::branch(const Scenario& scenario) {
@@ -116,26 +140,40 @@ bool CaptureSession::branch(const Scenario& scenario) {
   leave_live_run();
   live_ = runs_.add_branch(parent_id, time);
   if (parent->simulated_here) {
-    worker_->post(BeginBranch{live_, parent_id, time, scenario});
+    post(BeginBranch{live_, parent_id, time, scenario});
   } else {
-    runs_.read_checkpoints(parent_id, time, [=, this, branch = live_](CheckpointLog log) {
-      worker_->post(BeginBranch{branch, parent_id, time, scenario, std::move(log)});
-    });
+    begin_from_file(parent_id, time, scenario);
   }
   follow_ = true;
   show_run(live_);
   return true;
 }
 
+// What is asked for in the meantime is meant for the branch and waits until the worker has it.
+void CaptureSession::begin_from_file(RunId parent, double time, const Scenario& scenario) {
+  if (!held_) held_.emplace();
+  ++reading_;
+  const std::size_t place = held_->size();
+  held_->emplace_back(Pause{});
+  runs_.read_checkpoints(parent, time, [=, this, branch = live_](std::optional<CheckpointLog> log) {
+    if (log) {
+      (*held_)[place] = BeginBranch{branch, parent, time, scenario, std::move(log)};
+    } else if (branch == live_) {
+      leave_live_run();
+    }
+    if (--reading_ == 0) release_held();
+  });
+}
+
 void CaptureSession::remove_run(RunId id) {
   if (id == live_) {
-    worker_->post(Pause{});
+    post(Pause{});
     leave_live_run();
   }
   runs_.remove(id);
   if (id != current_) return;
   const auto ids = runs_.ids();
-  show_run(ids.empty() ? -1 : ids.back());
+  show_run(ids.empty() ? kNoRun : ids.back());
 }
 
 void CaptureSession::show_run(RunId id) {

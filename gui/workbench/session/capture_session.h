@@ -56,9 +56,10 @@ class CaptureSession : public QObject {
   void remove_run(RunId id);
 
  signals:
-  void current_changed();                                                      // another run is shown
-  void frame_shown(std::shared_ptr<const netpocket::Snapshot> snapshot);       // of the current run
-  void strategy_answered(const netpocket::Diagnostics& refused, double time);  // to change_strategy()
+  void current_changed();                                                 // another run is shown
+  void frame_shown(std::shared_ptr<const netpocket::Snapshot> snapshot);  // of the current run
+  void strategy_answered(netpocket::RunId run, const netpocket::Diagnostics& refused,
+                         double time);  // change_strategy()
   void run_diverged(const QString& message);
   void failed(const QString& reason);
 
@@ -71,12 +72,20 @@ class CaptureSession : public QObject {
   void take(const CheckpointTaken& report);
   void take(const WorkerFailed& report);
   void leave_live_run();
+  void finish_left_runs(RunId reporting);
+  void post(WorkerCommand command);
+  void begin_from_file(RunId parent, double time, const Scenario& scenario);
+  void release_held();
   void frame_loaded(RunId run, std::size_t index);
-  QString unused_name(const QString& name) const;
 
   RunLibrary runs_;
-  RunId current_ = -1;
-  RunId live_ = -1;
+  static constexpr RunId kNoRun = -1;
+
+  RunId current_ = kNoRun;
+  RunId live_ = kNoRun;
+  std::vector<RunId> left_;  // that the worker has not answered for yet
+  std::optional<std::vector<WorkerCommand>> held_;
+  int reading_ = 0;  // branches whose start is being read from a recording
   std::size_t shown_ = 0;
   bool follow_ = true;
   std::atomic<bool> notified_ = false;

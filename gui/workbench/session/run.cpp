@@ -43,6 +43,13 @@ std::size_t Run::frame_at(double time) const {
   return *later - time < time - times[index - 1] ? index : index - 1;
 }
 
+bool Run::can_go_on() const {
+  constexpr double kRounding = 1e-6;  // s
+  if (status.reason == RunReason::diverged) return false;
+  if (state == RunState::paused || state == RunState::running) return true;
+  return end_time() < scenario.output.end_time - kRounding;
+}
+
 std::vector<TimeMark> time_marks(const Run& run) {
   using Kind = TimeMark::Kind;
   std::vector<TimeMark> marks = run.notes;

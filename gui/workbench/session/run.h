@@ -45,6 +45,8 @@ struct Run {
 
   std::size_t frame_count() const { return series.times().size(); }
   double end_time() const { return series.times().empty() ? 0 : series.times().back(); }
+  // Whether there is something left to simulate.
+  bool can_go_on() const;
   // Whether frames would be lost with the session.
   bool is_unsaved() const { return temporary && frame_count() > std::max<std::size_t>(saved_frames, 1); }
   // The frame nearest to a time (s); 0 when there is none.

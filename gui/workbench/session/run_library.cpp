@@ -151,8 +151,9 @@ void RunLibrary::read_recording(const QString& path, bool recovered) {
 void RunLibrary::add_recording(OpenedRecording opened) {
   Recording& recording = opened.recording;
   Run run;
-  run.name = opened.recovered ? tr("%1, recovered").arg(QString::fromStdString(recording.origin().scenario_name))
-                              : QFileInfo(QString::fromStdString(recording.path())).completeBaseName();
+  run.name =
+      unused_name(opened.recovered ? tr("%1, recovered").arg(QString::fromStdString(recording.origin().scenario_name))
+                                   : QFileInfo(QString::fromStdString(recording.path())).completeBaseName());
   run.scenario = opened.scenario;
   run.structure = std::make_shared<const Structure>(recording.structure());
   run.series = run_series(recording);
@@ -183,6 +184,15 @@ void RunLibrary::rename(RunId id, const QString& name) {
   run->name = name.trimmed();
   run->series.name = run->name.toStdString();
   emit run_changed(id);
+}
+
+QString RunLibrary::unused_name(const QString& name) const {
+  const auto taken = [this](const QString& candidate) {
+    return std::ranges::any_of(runs_, [&](const auto& run) { return run.second.name == candidate; });
+  };
+  QString candidate = name;
+  for (int i = 2; taken(candidate); ++i) candidate = QString("%1 (%2)").arg(name).arg(i);
+  return candidate;
 }
 
 void RunLibrary::add_note(RunId id, const TimeMark& mark) {
@@ -234,12 +244,18 @@ void RunLibrary::append(RunId id, std::shared_ptr<const Checkpoint> checkpoint) 
   store([file = run->file, checkpoint = std::move(checkpoint)] { file->write(*checkpoint); });
 }
 
-void RunLibrary::read_checkpoints(RunId id, double time, std::function<void(CheckpointLog)> use) {
+void RunLibrary::read_checkpoints(RunId id, double time, std::function<void(std::optional<CheckpointLog>)> use) {
   const Run* run = find(id);
   if (run == nullptr) return;
-  store([this, file = run->file, time, threads = origin_.threads, use = std::move(use)] {
-    CheckpointLog log = file->checkpoint_log(time, {threads});
-    later([use, log = std::move(log)] { use(log); });
+  storage_.post([this, file = run->file, time, threads = origin_.threads, use = std::move(use)] {
+    try {
+      later([use, log = file->checkpoint_log(time, {threads})] { use(log); });
+    } catch (const std::exception& error) {
+      later([this, use, reason = QString::fromUtf8(error.what())] {
+        emit failed(reason);
+        use(std::nullopt);
+      });
+    }
   });
 }
 

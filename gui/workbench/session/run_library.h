@@ -36,14 +36,17 @@ class RunLibrary : public QObject {
   const Run* find(RunId id) const;
   std::vector<RunId> unsaved() const;
   void rename(RunId id, const QString& name);
+  // The name, or with a number after it when a run has it already.
+  QString unused_name(const QString& name) const;
   void add_note(RunId id, const TimeMark& mark);
   void remove_note(RunId id, double time);
 
   void begin(RunId id, std::shared_ptr<const Structure> structure, const Scenario& scenario);
   void append(RunId id, std::shared_ptr<const Snapshot> frame, const RunStatistics& statistics, double speed);
   void append(RunId id, std::shared_ptr<const Checkpoint> checkpoint);
-  // Reads from a run's recording what leads to `time` (s), then calls `use` on the user interface's thread.
-  void read_checkpoints(RunId id, double time, std::function<void(CheckpointLog)> use);
+  // Reads from a run's recording what leads to `time` (s), then calls `use` on the user interface's thread: with
+  // nothing when it cannot be read, which is reported.
+  void read_checkpoints(RunId id, double time, std::function<void(std::optional<CheckpointLog>)> use);
   void set_state(RunId id, RunState state, const RunStatus& status, const RunStatistics& statistics);
   void set_scenario(RunId id, const Scenario& scenario);
   // Stores how the run ended; no frame follows.
@@ -51,6 +54,8 @@ class RunLibrary : public QObject {
 
   // Null when it has to be read first: then frame_loaded() follows. Of several such requests for a run the last counts.
   std::shared_ptr<const Snapshot> frame(RunId id, std::size_t index);
+  // Null when it would have to be read.
+  std::shared_ptr<const Snapshot> frame_in_memory(RunId id, std::size_t index) const { return cache_.peek(id, index); }
 
   // Frames wait to be written: no more should come for now.
   bool is_busy() const { return storage_.waiting() > kMostWaiting; }

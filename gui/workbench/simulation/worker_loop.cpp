@@ -16,9 +16,7 @@ void WorkerLoop::run() {
     // A paused worker waits for commands; a running one only looks whether there are any, or until a frame is due.
     std::optional<RunPace::Clock::time_point> deadline;
     if (running_) deadline = pace_.due().value_or(RunPace::Clock::now());
-    for (const WorkerCommand& command : worker_.take_commands(stop_, deadline)) {
-      guard([&] { obey(command); });
-    }
+    obey_all(worker_.take_commands(stop_, deadline));
     if (running_ && !stop_.stop_requested()) guard([this] { advance(); });
   }
 }
@@ -38,6 +36,36 @@ void WorkerLoop::guard(const std::function<void()>& action) {
   }
 }
 
+// A run that the next one follows at once is not made: only what its branches need is kept.
+void WorkerLoop::obey_all(const std::deque<WorkerCommand>& commands) {
+  const auto begins = [](const WorkerCommand& c) {
+    return std::holds_alternative<BeginRun>(c) || std::holds_alternative<BeginBranch>(c);
+  };
+  const auto last = std::find_if(commands.rbegin(), commands.rend(), begins).base();
+  for (auto command = commands.begin(); command != commands.end(); ++command) {
+    const bool superseded = command + 1 < last;
+    const bool setting = std::holds_alternative<SetPace>(*command) || std::holds_alternative<SetThreads>(*command);
+    if (!superseded || setting) {
+      guard([&] { obey(*command); });
+    } else if (const auto* begin = std::get_if<BeginRun>(&*command)) {
+      note_start(*begin);
+    } else if (const auto* branch = std::get_if<BeginBranch>(&*command)) {
+      guard([&] { note_start(*branch); });
+    }
+  }
+}
+
+void WorkerLoop::note_start(const BeginRun& command) {
+  logs_[command.run] = CheckpointLog(command.scenario, SimulationOptions{worker_.threads_});
+}
+
+const CheckpointLog& WorkerLoop::note_start(const BeginBranch& command) {
+  if (command.log) logs_[command.parent] = *command.log;
+  const auto parent = logs_.find(command.parent);
+  if (parent == logs_.end()) throw std::runtime_error("a run that was opened from a file cannot be continued");
+  return logs_[command.run] = parent->second.until(command.time);
+}
+
 void WorkerLoop::obey(const WorkerCommand& command) {
   std::visit([this](const auto& c) { on(c); }, command);
 }
@@ -46,21 +74,15 @@ void WorkerLoop::on(const BeginRun& command) {
   run_ = command.run;
   running_ = false;
   report_state(WorkerState::preparing, {});
-  const SimulationOptions options{worker_.threads_};
-  logs_[run_] = CheckpointLog(command.scenario, options);
-  install(command.run, Simulation(command.scenario, options));
+  note_start(command);
+  install(command.run, Simulation(command.scenario, SimulationOptions{worker_.threads_}));
 }
 
 void WorkerLoop::on(const BeginBranch& command) {
-  if (command.log) logs_[command.parent] = *command.log;
-  const auto parent = logs_.find(command.parent);
-  if (parent == logs_.end()) throw std::runtime_error("a run that was opened from a file cannot be continued");
   run_ = command.run;
   running_ = false;
   report_state(WorkerState::preparing, {});
-  Simulation simulation = parent->second.simulation_at(command.time, stop_);
-  logs_[run_] = parent->second.until(command.time);
-  install(command.run, std::move(simulation));
+  install(command.run, note_start(command).simulation_at(command.time, stop_));
   on(ChangeStrategy{command.scenario});
 }
 
@@ -93,9 +115,11 @@ void WorkerLoop::on(const SingleStep&) {
   running_ = false;
   const double before = simulation_->time();
   RunStatus status;
-  // A simulation steps while more than half a step is missing; how long its next step is, it decides itself.
+  // A simulation steps while more than half a step is missing; how long its next step is, it decides itself. One that
+  // diverges is put back to where it was, and would be for ever.
+  const auto goes_on = [&] { return status.reason == RunReason::running || status.reason == RunReason::finished; };
   double ahead = 0.6 * simulation_->statistics().time_step;
-  for (; simulation_->time() == before && !stop_.stop_requested(); ahead *= 1.5) {
+  for (; simulation_->time() == before && goes_on(); ahead *= 1.5) {
     status = simulation_->advance(before + ahead, stop_);
   }
   report_frame();

@@ -1,6 +1,7 @@
 #pragma once
 // What a SimulationWorker's thread does: obeys commands and steps the simulation between them.
 
+#include <deque>
 #include <map>
 
 #include "engine/dynamics/simulation.h"
@@ -17,7 +18,11 @@ class WorkerLoop {
   void run();
 
  private:
+  void obey_all(const std::deque<WorkerCommand>& commands);
   void obey(const WorkerCommand& command);
+  // What branches of a run need to know of it, whether it is simulated or not.
+  void note_start(const BeginRun& command);
+  const CheckpointLog& note_start(const BeginBranch& command);
   void on(const BeginRun& command);
   void on(const BeginBranch& command);
   void on(const Resume& command);

@@ -1,8 +1,5 @@
 #include "gui/workbench/viewport/drawing_thread.h"
 
-#include <vtkNew.h>
-#include <vtkUnsignedCharArray.h>
-
 #include <algorithm>
 #include <chrono>
 
@@ -11,14 +8,14 @@
 namespace netpocket {
 namespace {
 
-// The window's picture; VTK's rows run from the bottom.
+// The window's picture; OpenGL's rows run from the bottom.
 QImage read_image(HostedRenderWindow& window) {
   const int* size = window.GetSize();
-  vtkNew<vtkUnsignedCharArray> pixels;
-  window.GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
-  return QImage(pixels->GetPointer(0), size[0], size[1], QImage::Format_RGBX8888)
-      .mirrored()
-      .convertToFormat(QImage::Format_RGB32);
+  QImage image(size[0], size[1], QImage::Format_RGBX8888);
+  window.read_rgba(image.bits());
+  image.mirror();
+  image.convertTo(QImage::Format_RGB32);
+  return image;
 }
 
 }  // namespace
@@ -96,7 +93,10 @@ void DrawingThread::run(const std::stop_token& stop) {
 DrawnPicture DrawingThread::draw(std::unique_ptr<SceneDrawing>& drawing, const Request& request) {
   try {
     const auto start = std::chrono::steady_clock::now();
-    if (!drawing) drawing = std::make_unique<SceneDrawing>(make_gl_host(GlBackend::automatic));
+    if (!drawing) {
+      drawing = std::make_unique<SceneDrawing>(make_gl_host(GlBackend::automatic));
+      drawing->window().keep_where_drawn();
+    }
     drawing->draw(request.state, request.width, request.height);
     QImage image = read_image(drawing->window());
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;

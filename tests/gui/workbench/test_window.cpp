@@ -1,3 +1,4 @@
+#include <QCheckBox>
 #include <QDir>
 #include <QFile>
 #include <QTest>
@@ -136,14 +137,19 @@ TEST_F(WindowTest, StrategyThatNeedsARestartSaysSo) {
   EXPECT_EQ(window_->editor().keys_that_need_restart(), QStringList{"net.diameter"});
   EXPECT_FALSE(window_->editor().restart_bar()->isHidden());
   screenshot("needs_restart");
+  // Also after the run has changed its state.
+  window_->session().resume({.until = 0.3});
+  ASSERT_TRUE(wait_until([&] { return window_->session().live()->end_time() >= 0.3 - 1e-6; }));
+  EXPECT_EQ(window_->editor().keys_that_need_restart(), QStringList{"net.diameter"});
   window_->editor().restart_requested();
   EXPECT_TRUE(wait_until([&] { return window_->session().runs().ids().size() == 2; }));
   EXPECT_TRUE(window_->editor().keys_that_need_restart().isEmpty());
 }
 
-TEST_F(WindowTest, FrictionAndTowingActOnTheRunTheyAreEditedIn) {
+TEST_F(WindowTest, FrictionTowingAndPressureActOnTheRunTheyAreEditedIn) {
   ASSERT_TRUE(run_to(0.2));
-  const std::vector<std::pair<const char*, double>> edits = {{"contact.friction", 0.7}, {"towing.start", 1.5}};
+  const std::vector<std::pair<const char*, double>> edits = {
+      {"contact.friction", 0.7}, {"towing.start", 1.5}, {"rods.pressure", 5e4}, {"output.end_time", 3.0}};
   for (const auto& edit : edits) {
     const Parameter& changed = parameter(edit.first);
     ASSERT_FALSE(window_->document().set_value(changed, edit.second));
@@ -153,7 +159,7 @@ TEST_F(WindowTest, FrictionAndTowingActOnTheRunTheyAreEditedIn) {
   EXPECT_TRUE(window_->editor().keys_that_need_restart().isEmpty());
   // Each change is a mark on the timeline.
   const auto& notes = window_->session().live()->notes;
-  EXPECT_EQ(std::ranges::count(notes, TimeMark::Kind::strategy, &TimeMark::kind), 2);
+  EXPECT_EQ(std::ranges::count(notes, TimeMark::Kind::strategy, &TimeMark::kind), static_cast<long>(edits.size()));
 }
 
 TEST_F(WindowTest, TakesADroppedRecording) {
@@ -258,6 +264,23 @@ TEST_F(WindowTest, PlotsWhatWasPickedOverTheRun) {
   EXPECT_EQ(height.x.size(), window_->session().current()->frame_count());
   EXPECT_NEAR(height.y.front(), 7.5, 1e-9);  // scenarios/case1.toml: the target's start
   screenshot("picked_plot");
+  // It grows with the run, and another run of the same pocket takes its place.
+  window_->session().resume({.until = 0.4});
+  const auto plotted = [&] { return window_->plots().chart()->figure().panels[0].curves[1].x; };
+  ASSERT_TRUE(wait_until([&] { return plotted().back() > 0.39; }));
+  ASSERT_TRUE(run_to(0.1));
+  ASSERT_TRUE(wait_until([&] { return plotted().size() == window_->session().current()->frame_count(); }));
+  EXPECT_NEAR(plotted().back(), 0.1, 1e-6);
+}
+
+TEST_F(WindowTest, SpacePressesTheButtonThatHasTheFocus) {
+  auto* tick = window_->findChild<QCheckBox*>();
+  ASSERT_TRUE(tick);
+  tick->setFocus();
+  const bool before = tick->isChecked();
+  QTest::keyClick(tick, Qt::Key_Space);
+  EXPECT_NE(tick->isChecked(), before);
+  EXPECT_EQ(window_->session().live(), nullptr) << "nothing was started";
 }
 
 TEST_F(WindowTest, EditingAfterARunShowsThePreviewAndSaysSo) {

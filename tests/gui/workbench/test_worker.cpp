@@ -3,6 +3,8 @@
 #include <chrono>
 #include <thread>
 
+#include "engine/dynamics/simulation.h"
+#include "gui/workbench/editor/parameter_words.h"
 #include "gui/workbench/simulation/simulation_worker.h"
 #include "tests/gui/workbench/window_fixture.h"
 
@@ -80,6 +82,27 @@ TEST(SimulationWorker, SingleStepIsOneStep) {
   EXPECT_EQ(second->snapshot->step, 2);
 }
 
+TEST(SimulationWorker, SingleStepOfADivergedRunComesToAnEnd) {
+  SimulationWorker worker([] {});
+  Scenario scenario = quick_scenario();
+  scenario.solver.time_step = 4e-3;  // ten times what its elements allow
+  worker.post(BeginRun{0, scenario});
+  worker.post(Resume{});
+  const auto diverged = [](const StateChanged& s) { return s.status.reason == RunReason::diverged; };
+  ASSERT_TRUE(next<StateChanged>(worker, diverged));
+  // From its last sound state it may make some steps; then it diverges again.
+  bool again = false;
+  for (int i = 0; i < 1000 && !again; ++i) {
+    worker.post(SingleStep{});
+    const auto answer = next<StateChanged>(worker, [](const StateChanged&) { return true; });
+    ASSERT_TRUE(answer);
+    again = diverged(*answer);
+  }
+  EXPECT_TRUE(again);
+  worker.post(BeginRun{1, quick_scenario()});
+  EXPECT_TRUE(frame_at(worker, 1, 0));
+}
+
 TEST(SimulationWorker, RealTimeIsRealTime) {
   SimulationWorker worker([] {});
   worker.post(SetPace{0.5});
@@ -93,12 +116,37 @@ TEST(SimulationWorker, RealTimeIsRealTime) {
   EXPECT_GT(elapsed.count(), 0.7);
 }
 
+TEST(SimulationWorker, ManyRunsAtOnceEndWithTheLast) {
+  SimulationWorker worker([] {});
+  constexpr RunId kLast = 40;
+  for (RunId run = 0; run < kLast; ++run) {
+    worker.post(BeginRun{run, quick_scenario()});
+    worker.post(Resume{});
+  }
+  worker.post(BeginBranch{kLast, kLast - 1, 0, quick_scenario()});
+  worker.post(Resume{.until = 0.1});
+  EXPECT_TRUE(frame_at(worker, kLast, 0.1));
+}
+
 TEST(SimulationWorker, EndsWhileItRuns) {
   auto worker = std::make_unique<SimulationWorker>([] {});
   worker->post(BeginRun{0, Scenario{}});
   worker->post(Resume{});
   ASSERT_TRUE(frame_at(*worker, 0, 0.02));
   worker.reset();
+}
+
+// What the editor says of a parameter is what the simulation does.
+TEST(SimulationWorker, TakesUpWhatTheEditorSaysActsAtOnce) {
+  Simulation simulation(quick_scenario());
+  for (const Parameter& parameter : parameters()) {
+    Scenario edited = simulation.scenario();
+    const ParameterValue value = parameter.get(edited);
+    if (parameter.group().empty() || !std::holds_alternative<double>(value)) continue;
+    parameter.set(edited, 1.01 * std::get<double>(value) + 1e-3);
+    EXPECT_EQ(simulation.change_strategy(edited).empty(), edit_effect(parameter) == EditEffect::at_once)
+        << parameter.key;
+  }
 }
 
 TEST(SimulationWorker, StrategyActsFromNowOnAndRefusesTheRest) {

@@ -1,0 +1,93 @@
+#include "engine/dynamics/step_choice.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace netpocket {
+namespace {
+
+// Of the ropes' length, at which the bound of the whole is found anew.
+constexpr double kChange = 0.85;
+// Of the bound of straight cables, above which bends are not worth mentioning.
+constexpr double kNotable = 0.98;
+
+template <typename Enum>
+void visit_enum(const std::function<void(double&)>& visit, Enum& value, Enum last) {
+  double number = static_cast<double>(value);
+  visit(number);
+  // Files hold states too: what is no member is none.
+  if (number >= 0 && number <= static_cast<double>(last)) value = static_cast<Enum>(number);
+}
+
+void visit_thread(const std::function<void(double&)>& visit, std::int32_t& thread) {
+  double number = thread;
+  visit(number);
+  if (number >= 0 && number <= std::numeric_limits<std::int32_t>::max()) thread = static_cast<std::int32_t>(number);
+}
+
+}  // namespace
+
+StepChoice::StepChoice(CableSystem& system)
+    : model_(system.model()),
+      follows_shape_(system.evaluation() == ElementEvaluation::mean_strain),
+      bound_(system.stable_step()),
+      bound_length_(model_.ropes.front().motion(0).length) {}
+
+// For the length rounded down to a power of 1.01: seldom anything to compute, and the same whatever came before.
+double StepChoice::step_of_rope_element(const VariableRope& rope, double length) {
+  constexpr double kRatio = 1.01;
+  const int length_class =
+      static_cast<int>(std::floor(std::log(length / static_cast<double>(rope.elements.size())) / std::log(kRatio)));
+  if (length_class != length_class_) {
+    length_class_ = length_class;
+    const bool paired =
+        std::ranges::all_of(rope.elements, [&](std::int32_t i) { return model_.elements[i].mate >= 0; });
+    rope_step_ = stable_step_of_lumped_element(model_.material_of(rope.elements.front()).section,
+                                               std::pow(kRatio, length_class), paired);
+  }
+  return rope_step_;
+}
+
+double StepChoice::stable_step(CableSystem& system, const VariableRope& rope, double end) {
+  const double length = rope.motion(system.time()).length;
+  if (follows_shape_ && (length < kChange * bound_length_ || kChange * length > bound_length_)) {
+    bound_ = system.stable_step();
+    bound_length_ = length;
+  }
+  StableStep straight = bound_;
+  const double of_rope = step_of_rope_element(rope, std::min(length, rope.motion(end).length));
+  if (of_rope < bound_.step) {
+    const double stiffer = (bound_.step / of_rope) * (bound_.step / of_rope);
+    straight.step = of_rope;
+    straight.stiffness *= stiffer;
+    straight.damping *= stiffer;
+  }
+  const double bent = system.stable_step_as_bent(straight);
+  cause_ = of_rope < bound_.step ? Cause::ropes : bent < kNotable * bound_.step ? Cause::bends : Cause::cables;
+  return bent;
+}
+
+void StepChoice::note(double step) {
+  if (step >= smallest_step_) return;
+  smallest_step_ = step;
+  smallest_ = {cause_, bound_.limit, bound_.thread};
+}
+
+std::string StepChoice::limit() const {
+  if (!std::isfinite(smallest_step_)) return limit_text(model_, bound_.limit, bound_.thread);
+  if (smallest_.cause == Cause::ropes) return "waves in the closing ropes, the shorter the faster";
+  const std::string cables = limit_text(model_, smallest_.mode, smallest_.thread);
+  return smallest_.cause == Cause::bends ? cables + ", and bends of cords" : cables;
+}
+
+void StepChoice::visit_state(const std::function<void(double&)>& visit) {
+  for (double* value : {&bound_length_, &bound_.step, &bound_.stiffness, &bound_.damping, &smallest_step_})
+    visit(*value);
+  visit_enum(visit, bound_.limit, StepLimit::kink);
+  visit_thread(visit, bound_.thread);
+  visit_enum(visit, smallest_.cause, Cause::ropes);
+  visit_enum(visit, smallest_.mode, StepLimit::kink);
+  visit_thread(visit, smallest_.thread);
+}
+
+}  // namespace netpocket

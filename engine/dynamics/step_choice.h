@@ -1,0 +1,64 @@
+#pragma once
+// The largest stable step of a pocket as its closing ropes shorten and its cords bend, and what sets it.
+//
+// Short closing ropes hold the rods' tips more stiffly, so the bound of the whole (stable_step.h) is found anew each
+// time they are 15 % shorter; the bound of one of their elements by itself follows their length at once; what bends and
+// tensions add is asked for at each choice. Contacts never limit the step: they are no stiffer than it resolves.
+//
+// Thread contract: one thread at a time.
+
+#include <functional>
+#include <limits>
+#include <string>
+
+#include "engine/dynamics/cable_system.h"
+#include "engine/dynamics/stable_step.h"
+#include "engine/model/model.h"
+
+namespace netpocket {
+
+class StepChoice {
+ public:
+  // Of a model with closing ropes, all alike; `system` as built from it.
+  explicit StepChoice(CableSystem& system);
+
+  // Largest stable step (s, without a safety factor) from the system's present time until `end` (s). The ropes' length
+  // is that of `rope`, the first of them.
+  double stable_step(CableSystem& system, const VariableRope& rope, double end);
+
+  // As of the system at rest, before any choice. s
+  double first_stable_step() const { return bound_.step; }
+
+  // Notes that the last choice has led to a step of this size (s).
+  void note(double step);
+  // Smallest step noted, s; infinite before the first.
+  double smallest_step() const { return smallest_step_; }
+  // What has limited it, e.g. "axial waves in panel 3 row 2, and bends of cords".
+  std::string limit() const;
+
+  // Gives every number of the state to `visit`, which may change it.
+  void visit_state(const std::function<void(double&)>& visit);
+
+ private:
+  enum class Cause : std::uint8_t { cables, bends, ropes };
+  // What sets a step, in numbers.
+  struct Limit {
+    Cause cause = Cause::cables;
+    StepLimit mode = StepLimit::nothing;
+    std::int32_t thread = 0;
+  };
+
+  double step_of_rope_element(const VariableRope& rope, double length);
+
+  const Model& model_;
+  bool follows_shape_;                                  // the mean-strain evaluation does
+  StableStep bound_;                                    // of straight cables, at the rope length:
+  double bound_length_;                                 // m
+  int length_class_ = std::numeric_limits<int>::max();  // for which rope_step_ holds
+  double rope_step_ = 0;                                // s
+  Cause cause_ = Cause::cables;                         // of the last choice
+  double smallest_step_ = std::numeric_limits<double>::infinity();
+  Limit smallest_;
+};
+
+}  // namespace netpocket
