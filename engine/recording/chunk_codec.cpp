@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bitset>
+#include <iterator>
 #include <new>
 
 namespace netpocket {
@@ -13,6 +14,8 @@ namespace {
 constexpr int kCompressionLevel = 1;
 constexpr std::size_t kStoredBlockLimit = 65535;  // RFC 1951, 3.2.4
 constexpr std::size_t kStoredBlockHeader = 5;
+constexpr std::uint8_t kEmptyStoredBlock[kStoredBlockHeader] = {0, 0, 0, 0xff, 0xff};  // not the last block
+constexpr std::size_t kChecksumBytes = 4;
 
 // 256 uniformly random bytes have 162 different values on average, 128 equally likely values give 111: beyond 100 a
 // plane would shrink by less than an eighth.
@@ -59,10 +62,13 @@ ChunkCodec::ChunkCodec() : compressor_(libdeflate_alloc_compressor(kCompressionL
   if (!compressor_) throw std::bad_alloc();
 }
 
-std::span<const std::uint8_t> ChunkCodec::encode(std::span<const std::uint8_t> data, std::size_t element_size) {
+std::span<const std::uint8_t> ChunkCodec::encode(std::span<const std::uint8_t> data, std::size_t element_size,
+                                                 std::size_t avoided_size) {
   shuffle(data, element_size);
-  deflate(leading_noise(planes_, element_size));
-  append_little_endian(encoded_, fletcher32(encoded_), 4);
+  const std::size_t noise = leading_noise(planes_, element_size);
+  deflate(noise, false);
+  if (encoded_.size() + kChecksumBytes == avoided_size) deflate(noise, true);
+  append_little_endian(encoded_, fletcher32(encoded_), kChecksumBytes);
   return encoded_;
 }
 
@@ -76,10 +82,12 @@ void ChunkCodec::shuffle(std::span<const std::uint8_t> data, std::size_t element
   }
 }
 
-void ChunkCodec::deflate(std::size_t stored_bytes) {
+// `longer`: by an empty block.
+void ChunkCodec::deflate(std::size_t stored_bytes, bool longer) {
   const std::span<const std::uint8_t> all(planes_);
   const auto rest = all.subspan(stored_bytes);
   encoded_.assign({0x78, 0x01});  // zlib header (RFC 1950): deflate, 32 KiB window, fastest
+  if (longer) encoded_.insert(encoded_.end(), std::begin(kEmptyStoredBlock), std::end(kEmptyStoredBlock));
   append_stored_blocks(encoded_, all.first(stored_bytes));
 
   const std::size_t start = encoded_.size();

@@ -18,12 +18,14 @@ class ChunkCodec {
 
   // Shuffles (byte k of every element goes to plane k), deflates and appends the checksum. The low bytes of floating
   // point numbers are noise: trying to compress them takes nine tenths of the time and gains nothing, so the planes
-  // that look like noise go into stored blocks of the deflate stream. The result is valid until the next call.
-  std::span<const std::uint8_t> encode(std::span<const std::uint8_t> data, std::size_t element_size);
+  // that look like noise go into stored blocks of the deflate stream. The result is never `avoided_size` bytes long and
+  // is valid until the next call.
+  std::span<const std::uint8_t> encode(std::span<const std::uint8_t> data, std::size_t element_size,
+                                       std::size_t avoided_size = 0);
 
  private:
   void shuffle(std::span<const std::uint8_t> data, std::size_t element_size);
-  void deflate(std::size_t stored_bytes);
+  void deflate(std::size_t stored_bytes, bool longer);
 
   struct CompressorDeleter {
     void operator()(libdeflate_compressor* compressor) const;

@@ -108,7 +108,12 @@ void OutputTable::store() {
 }
 
 void OutputTable::write_chunk(hsize_t first_row, std::span<const std::uint8_t> rows) {
-  const auto encoded = codec_->encode(rows, element_bytes_);
+  // A chunk that has grown and yet takes as many bytes as before would be written in its old place, where a loss of
+  // power can tear it; one of another size gets a new place.
+  const std::size_t avoided_size = first_row == last_chunk_row_ ? last_chunk_size_ : 0;
+  const auto encoded = codec_->encode(rows, element_bytes_, avoided_size);
+  last_chunk_row_ = first_row;
+  last_chunk_size_ = encoded.size();
   std::vector<hsize_t> offset(rank_, 0);
   offset[0] = first_row;
   checked(H5Dwrite_chunk(dataset_.get(), H5P_DEFAULT, 0, offset.data(), encoded.size(), encoded.data()),

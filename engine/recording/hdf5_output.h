@@ -59,6 +59,8 @@ class OutputTable {
   ChunkCodec* codec_;
   hsize_t first_buffered_row_ = 0;  // a multiple of rows_per_chunk_
   hsize_t stored_rows_ = 0;
+  hsize_t last_chunk_row_ = 0;       // where the chunk begins that was written last
+  std::size_t last_chunk_size_ = 0;  // in the file, bytes
   std::vector<std::uint8_t> buffer_;
 };
 

@@ -131,6 +131,7 @@ class CommandLine {
 
   static std::vector<std::string> command_names() {
     std::vector<std::string> names;
+    names.reserve(std::size(kCommands));
     for (const Command& command : kCommands) names.emplace_back(command.name);
     return names;
   }

@@ -49,6 +49,25 @@ TEST(ChunkCodec, IsReadByHdf5) {
   }
 }
 
+TEST(ChunkCodec, IsReadByHdf5WhenLonger) {
+  const auto values = noisy_wave<float>(1000);
+  const std::span<const std::uint8_t> bytes(reinterpret_cast<const std::uint8_t*>(values.data()), 4000);
+  ChunkCodec codec;
+  const std::size_t size = codec.encode(bytes, 4).size();
+  const TemporaryFolder folder;
+  const Handle file(H5Fcreate(folder.file("codec.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose,
+                    "create");
+  write_array(file.get(), {"values", "1", "test"}, std::vector<float>(1000), codec);
+  const Handle dataset(H5Dopen2(file.get(), "values", H5P_DEFAULT), H5Dclose, "open");
+  const auto longer = codec.encode(bytes, 4, size);
+  EXPECT_GT(longer.size(), size);
+  const hsize_t start = 0;
+  checked(H5Dwrite_chunk(dataset.get(), H5P_DEFAULT, 0, &start, longer.size(), longer.data()), "write");
+  std::vector<float> found(1000);
+  checked(H5Dread(dataset.get(), H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, found.data()), "read");
+  EXPECT_EQ(found, values);
+}
+
 TEST(ChunkCodec, ShrinksWhatCanShrink) {
   ChunkCodec codec;
   const std::vector<std::uint8_t> zeros(40000, 0);

@@ -82,8 +82,7 @@ TEST(PowerCutHardening, LeavesEveryFrameThatWasFlushed) {
     }
     kept += std::prev(next)->frames;
   }
-  // A chunk that has grown and yet takes as many bytes as before is written in its old place, where it can be torn:
-  // seen once in 2000 cuts.
+  // Seen once in 2000 cuts: a table's chunk that is damaged.
   EXPECT_LE(lost, 1 + trials / 500);
   EXPECT_TRUE(test::record_hardening({"power lost at a random moment (any mixture of stored and lost 4 KiB pages)",
                                       std::to_string(trials) + " cuts",
