@@ -199,9 +199,10 @@ StableStep CableSystem::stable_step() {
 }
 
 // Where an element is bent, stretching acts on its slopes too, and the two of a pair that meet at an angle no longer
-// cancel; tension adds N/L to the stiffness of positions. The parts of a stiffness K_1 + K_2 with largest squares of
-// frequencies l_1 and l_2 have (l_1 + l_2)/2 + sqrt((l_1 - l_2)^2/4 + o l_1 l_2) together, o <= 1 the overlap of their
-// motions. Power iteration on shapes of captures gives o = 0.03 with l_2 as large as it is taken here.
+// cancel; at a strain eps the Green strain's stiffness along a cord is EA (1 + 2 eps) + N = EA (1 + 3 eps). The parts
+// of a stiffness K_1 + K_2 with largest squares of frequencies l_1 and l_2 have (l_1 + l_2)/2 + sqrt((l_1 - l_2)^2/4 +
+// o l_1 l_2) together, o <= 1 the overlap of their motions. Power iteration on shapes of captures gives o = 0.03 with
+// l_2 as large as it is taken here.
 double CableSystem::stable_step_as_bent(const StableStep& straight) {
   constexpr double kOverlap = 0.25;
   Impl& s = *impl_;
@@ -217,7 +218,7 @@ double CableSystem::stable_step_as_bent(const StableStep& straight) {
   const double bent = of_bends / straight.stiffness;
   const double together = 0.5 * (1 + bent + std::sqrt((1 - bent) * (1 - bent) + 4 * kOverlap * bent));
   // Damping of stretching follows its stiffness.
-  const double ratio = together + 2 * strain;
+  const double ratio = together + 3 * strain;
   return stable_step_of_mode(straight.stiffness * ratio, straight.damping * ratio);
 }
 
@@ -272,17 +273,22 @@ void CableSystem::displace(std::span<const Eigen::Vector3d> displacements) {
     if (impl_->model.nodes[i].support != Support::free) continue;
     impl_->coordinates.add(impl_->layout.position(static_cast<std::int32_t>(i)), displacements[i]);
   }
-  impl_->step_of_states = -1;
+  impl_->step_of_states = impl_->step_of_forces = -1;
   impl_->begin_accounts();
 }
 void CableSystem::control(std::int32_t body, const BodyControl& control) { impl_->controls[body] = control; }
-void CableSystem::set_rope_motion(const std::function<RopeMotion(double)>& motion) { impl_->ropes.set_motion(motion); }
+void CableSystem::set_rope_motion(const std::function<RopeMotion(double)>& motion) {
+  impl_->ropes.set_motion(motion);
+  impl_->step_of_forces = -1;
+}
 void CableSystem::set_wrinkling_moment(std::int32_t material, double moment) {
   const double before = impl_->wrinkling.energy(impl_->coordinates);
   impl_->wrinkling.set_moment(material, moment);
+  impl_->step_of_forces = -1;
   impl_->input_work += impl_->wrinkling.energy(impl_->coordinates) - before;
 }
 void CableSystem::set_friction(double coefficient) {
+  impl_->step_of_forces = -1;
   impl_->contacts.set_friction(coefficient);
   if (impl_->cord_contacts) impl_->cord_contacts->set_friction(coefficient);
 }
@@ -335,7 +341,7 @@ void CableSystem::visit_state(const std::function<void(double&)>& visit) {
   // A file may hold what is no count.
   if (steps >= 0 && steps < 9e15) s.steps = static_cast<std::int64_t>(steps);
   if (!changed) return;
-  s.step_of_states = -1;
+  s.step_of_states = s.step_of_forces = -1;
   s.contacts.forget_candidates();
   if (s.cord_contacts) s.cord_contacts->forget_candidates();
 }

@@ -104,7 +104,7 @@ EnergyAudit CableSystem::Impl::audit() {
 }
 
 EnergyAudit CableSystem::audit() {
-  impl_->compute_forces(impl_->last_dt > 0 ? impl_->last_dt : 1e-4);
+  impl_->keep_forces_current(impl_->last_dt > 0 ? impl_->last_dt : 1e-4);
   return impl_->audit();
 }
 
@@ -125,7 +125,7 @@ void copy_slots(const SlotVectors& vectors, std::int32_t first, std::int32_t cou
 
 EnergyAudit CableSystem::capture(Snapshot& snapshot) {
   Impl& s = *impl_;
-  s.compute_forces(s.last_dt > 0 ? s.last_dt : 1e-4);
+  s.keep_forces_current(s.last_dt > 0 ? s.last_dt : 1e-4);
   const EnergyAudit energies = s.audit();
   snapshot.time = s.time;
   snapshot.step = s.steps;

@@ -68,6 +68,8 @@ struct CableSystem::Impl {
   std::vector<Wrench> wrenches;                      // by body
   BatchPower element_power;
   double hinge_power = 0;
+  std::int64_t step_of_forces = -1;  // at which forces have been computed; -1: what they follow has changed since
+  double step_size_of_forces = 0;    // s
   std::vector<BatchPower> chunk_power;
 
   // Accounts since the start.
@@ -90,6 +92,7 @@ struct CableSystem::Impl {
   void add_contacts(double dt);
   double contact_power() const;
   void compute_forces(double dt);
+  void keep_forces_current(double dt);
   void kick_and_drift(SlotVectors& v, SlotVectors& x, const AlignedVector<double>& inverse_masses, double kick,
                       double drift);
   void move_slots(SlotVectors& v, SlotVectors& x, double kick, double drift);

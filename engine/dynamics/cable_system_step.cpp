@@ -15,7 +15,7 @@ namespace {
 // Blocks that one task computes. Fixed, so that sums over tasks do not depend on the number of threads.
 constexpr int kChunk = 128;
 // Below this number of elements a second thread costs more than it gives.
-constexpr std::size_t kFewestElementsForThreads = 10000;
+constexpr std::size_t kFewestElementsForThreads = 20000;
 
 slot_kernel::Kernel choose_slot_kernel() {
   switch (instruction_set()) {
@@ -103,6 +103,14 @@ double CableSystem::Impl::contact_power() const {
   return cord_contacts ? power + cord_contacts->dissipated_power(velocities) : power;
 }
 
+// A snapshot leaves the forces of the state behind: the next step need not compute them again.
+void CableSystem::Impl::keep_forces_current(double dt) {
+  if (step_of_forces == steps && step_size_of_forces == dt) return;
+  compute_forces(dt);
+  step_of_forces = steps;
+  step_size_of_forces = dt;
+}
+
 void CableSystem::Impl::compute_forces(double dt) {
   update_ropes();
   compute_element_forces();
@@ -165,7 +173,7 @@ void CableSystem::Impl::move_slots(SlotVectors& v, SlotVectors& x, double kick, 
 }
 
 void CableSystem::Impl::step(double dt) {
-  compute_forces(dt);
+  keep_forces_current(dt);
   // Velocities stand half a step of the previous size before the positions; at the start they stand with them.
   const double kick = 0.5 * (last_dt + dt);
   const double power_before =

@@ -21,6 +21,7 @@
 #include "engine/dynamics/slot_state.h"
 #include "engine/pocket/materials.h"
 #include "engine/recording/recorder.h"
+#include "engine/scenario/read_scenario.h"
 #include "tests/benchmarks/machine_peak.h"
 #include "tests/benchmarks/results_table.h"
 
@@ -151,7 +152,7 @@ void step(benchmark::State& state) {
 }
 BENCHMARK(step)
     ->Name("step/meshes_threads")
-    ->ArgsProduct({{4, 14, 18, 46, 144}, {1, 2}})
+    ->ArgsProduct({{4, 14, 24, 46, 144}, {1, 2}})
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
 
@@ -203,11 +204,17 @@ double thread_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
+Scenario case1() {
+  const ScenarioResult result = read_scenario_file(NETPOCKET_SOURCE_DIR "/scenarios/case1.toml");
+  if (!result.ok()) throw std::runtime_error("scenarios/case1.toml is not valid");
+  return result.scenario;
+}
+
 // Case 1 with a recording of 100 frames per simulated second. Counts the stepping thread's processor time: on a quiet
 // machine with a second processor for the writer that is the time one waits.
 void capture(benchmark::State& state) {
   for (auto _ : state) {
-    Scenario scenario;
+    Scenario scenario = case1();
     scenario.pocket.elements_per_side = static_cast<int>(state.range(0));
     scenario.output.frame_rate = 100;
     const auto path = temporary_recording();

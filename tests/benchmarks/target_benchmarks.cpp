@@ -1,5 +1,5 @@
 // What a target's shape costs: single questions of distance, and a whole capture by shape. Counters: "to_sphere", time
-// of case 1 relative to its sphere's, measured in turn in one run.
+// relative to that with the default target, a sphere, measured in turn in one run.
 
 #include <benchmark/benchmark.h>
 #include <fcl/fcl.h>
@@ -117,7 +117,7 @@ void capture_mesh(benchmark::State& state) {
   std::filesystem::remove_all(folder);
 }
 BENCHMARK(capture_mesh)
-    ->Name("case1/target_mesh")
+    ->Name("capture/target_mesh")
     ->Arg(500)
     ->Arg(50000)
     ->Iterations(1)

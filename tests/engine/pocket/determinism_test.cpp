@@ -80,11 +80,11 @@ TEST(Determinism, PiecesDoNotMatterWhereCordsTouch) {
 }
 
 TEST(Determinism, ThreadsDoNotMatter) {
-  // Threads are used from 10 000 elements on; each step of this pocket is 4e-5 s.
+  // Threads are used from 20 000 elements on; each step of this pocket is 4e-5 s.
   Scenario scenario = busy_scenario();
   scenario.pocket.mesh_columns = scenario.pocket.mesh_rows = 20;
   const Snapshot one = run(scenario, {.threads = 1}, {0.002});
-  ASSERT_GT(one.tension.size(), 10000) << "too few elements for a second thread";
+  ASSERT_GT(one.tension.size(), 20000) << "too few elements for a second thread";
   ASSERT_GT(one.step, 20);
   expect_same_state(one, run(scenario, {.threads = 2}, {0.002}));
 }
