@@ -106,30 +106,66 @@ std::vector<std::pair<int, int>> sorted(const std::vector<std::pair<int, int>>& 
   return result;
 }
 
-// Pairs of boxes within `margin` of each other along every axis, by a sweep along x (Cohen, Lin, Manocha & Ponamgi
-// 1995, doi:10.1145/199404.199437): for all pairs of a net less work than the tree's.
-std::vector<std::pair<int, int>> near_pairs(std::span<const AlignedBox3d> boxes, double margin) {
-  struct Entry {
-    double low_x, high_x, low_y, high_y, low_z, high_z;
-    int index;
-  };
-  std::vector<Entry> entries;
-  entries.reserve(boxes.size());
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    const Vector3d &low = boxes[i].min(), &high = boxes[i].max();
-    entries.push_back(
-        {low.x(), high.x() + margin, low.y(), high.y() + margin, low.z(), high.z() + margin, static_cast<int>(i)});
-  }
-  std::ranges::sort(entries, {}, &Entry::low_x);
-  std::vector<std::pair<int, int>> pairs;
-  for (auto a = entries.begin(); a != entries.end(); ++a) {
-    for (auto b = a + 1; b != entries.end() && b->low_x <= a->high_x; ++b) {
-      if (b->low_y > a->high_y || a->low_y > b->high_y || b->low_z > a->high_z || a->low_z > b->high_z) continue;
-      pairs.emplace_back(std::minmax(a->index, b->index));
+// Pairs of boxes within `margin` of each other along every axis. Boxes stand in all columns (along x) of a grid in y
+// and z that they reach into; in each column a sweep along x (Cohen, Lin, Manocha & Ponamgi 1995,
+// doi:10.1145/199404.199437) finds its pairs, and that in which the lower corner of both boxes' common part lies names
+// them.
+class NearPairs {
+ public:
+  NearPairs(std::span<const AlignedBox3d> boxes, double margin) {
+    AlignedBox3d all;
+    Vector3d sizes = Vector3d::Zero();
+    for (const AlignedBox3d& box : boxes) {
+      all.extend(box);
+      sizes += box.sizes();
+    }
+    if (boxes.empty()) return;
+    low_ = all.min();
+    const double mean = sizes.mean() / static_cast<double>(boxes.size());
+    cell_ = std::max(2 * mean + margin, std::max(all.sizes().y(), all.sizes().z()) / kMostColumns);
+    layers_ = column(all.max().z() + margin, 2) + 1;
+    for (std::size_t i = 0; i < boxes.size(); ++i) add({boxes[i].min(), boxes[i].max().array() + margin}, i);
+    std::ranges::sort(entries_, [](const Entry& a, const Entry& b) {
+      return a.column != b.column ? a.column < b.column : a.low.x() < b.low.x();
+    });
+    for (auto a = entries_.begin(); a != entries_.end(); ++a) {
+      for (auto b = a + 1; b != entries_.end() && b->column == a->column && b->low.x() <= a->high.x(); ++b) {
+        if (b->low.y() > a->high.y() || a->low.y() > b->high.y() || b->low.z() > a->high.z() ||
+            a->low.z() > b->high.z())
+          continue;
+        const Vector3d corner = a->low.cwiseMax(b->low);
+        if (column(corner.y(), 1) * layers_ + column(corner.z(), 2) != a->column) continue;
+        pairs_.emplace_back(std::minmax(a->index, b->index));
+      }
     }
   }
-  return sorted(pairs, boxes.size());
-}
+
+  const std::vector<std::pair<int, int>>& pairs() const { return pairs_; }
+
+ private:
+  static constexpr double kMostColumns = 1e6;  // along an axis
+  struct Entry {
+    std::int64_t column;
+    Vector3d low, high;
+    int index;
+  };
+
+  std::int64_t column(double place, int axis) const { return static_cast<std::int64_t>((place - low_[axis]) / cell_); }
+
+  void add(const AlignedBox3d& box, std::size_t index) {
+    for (std::int64_t y = column(box.min().y(), 1); y <= column(box.max().y(), 1); ++y) {
+      for (std::int64_t z = column(box.min().z(), 2); z <= column(box.max().z(), 2); ++z) {
+        entries_.push_back({y * layers_ + z, box.min(), box.max(), static_cast<int>(index)});
+      }
+    }
+  }
+
+  Vector3d low_;
+  double cell_ = 1;
+  std::int64_t layers_ = 1;
+  std::vector<Entry> entries_;
+  std::vector<std::pair<int, int>> pairs_;
+};
 
 }  // namespace
 
@@ -213,6 +249,8 @@ void BroadPhase::rebuild(std::span<const AlignedBox3d> elements, std::span<const
   ++rebuild_count_;
 }
 
-std::vector<std::pair<int, int>> BroadPhase::pairs() const { return near_pairs(built_elements_, margin_); }
+std::vector<std::pair<int, int>> BroadPhase::pairs() const {
+  return sorted(NearPairs(built_elements_, margin_).pairs(), built_elements_.size());
+}
 
 }  // namespace netpocket

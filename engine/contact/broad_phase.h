@@ -1,7 +1,7 @@
 #pragma once
 // Which cable elements may touch which bodies, and which other elements.
 // Bodies ask FCL's dynamic tree of the elements' bounding boxes (Pan, Chitta & Manocha 2012,
-// doi:10.1109/ICRA.2012.6225337); pairs of elements come from a sweep. The lists hold everything nearer than `margin`,
+// doi:10.1109/ICRA.2012.6225337); pairs of elements come from sweeps. The lists hold everything nearer than `margin`,
 // so they stay complete until something has moved by half of it; only then are they built again. They depend on the
 // boxes alone, in ascending order, never on the tree's history.
 //
