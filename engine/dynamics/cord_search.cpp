@@ -17,6 +17,8 @@ constexpr int kLongestSurveyInterval = 16;
 constexpr double kLongestTravel = 0.05;
 // Clearance (m) below which capsules are tested at every step, besides what they may move until the next survey.
 constexpr double kNearMargin = 0.02;
+// The same in fine nets, where everything would be near: part of the broad phase's margin.
+constexpr double kNearPart = 0.25;
 // Margin of the broad phase, of the elements' mean length: about as many pairs for any fineness of the mesh.
 constexpr double kBroadMargin = 0.6;
 // The pocket's symmetry: index = local * kSectors + sector, as in SectorSum.
@@ -186,7 +188,7 @@ void CordSearch::survey(const SlotVectors& coordinates, const SlotVectors& veloc
     }
     broad_phase_.advance(travel);
   }
-  const double reach = kNearMargin + 2 * travel;
+  const double reach = std::min(kNearMargin, kNearPart * broad_phase_.margin()) + 2 * travel;
   for (Candidate& candidate : candidates_) {
     if (2 * (candidate.clear_until - travelled_) > reach) continue;
     const double gap = least_gap(coordinates, element_length, candidate.first, candidate.second);
