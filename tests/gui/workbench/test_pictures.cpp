@@ -197,6 +197,7 @@ TEST_F(PictureTest, PickedAndPlotted) {
 
 TEST_F(PictureTest, Measuring) {
   open_recording();
+  ASSERT_TRUE(wait_for_picture());  // cameras are aimed when the layout has come to rest
   window_->viewport().set_preset(CameraPreset::front);
   ASSERT_TRUE(wait_for_picture());
   window_->viewport().set_measuring(true);
