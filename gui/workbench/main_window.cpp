@@ -10,6 +10,7 @@
 #include <QKeyEvent>
 #include <QMimeData>
 #include <QSplitter>
+#include <algorithm>
 
 #include "gui/workbench/dialogs/preferences_dialog.h"
 #include "gui/workbench/editor/scenario_editor.h"
@@ -127,13 +128,15 @@ void MainWindow::connect_session() {
   connect(&runs, &RunLibrary::run_changed, this, &MainWindow::run_changed);
   connect(&runs, &RunLibrary::frames_added, findings_updater_.get(), &FindingsUpdater::request);
   connect(&runs, &RunLibrary::frames_added, this, [this](RunId id) {
-    const auto compared = runs_panel_->compared();
-    const auto place = std::find(compared.begin(), compared.end(), id);
-    if (place == compared.end()) return;
     std::array<double, kChannelCount> values;
     const RunSeries& series = session_->runs().find(id)->series;
     for (std::size_t i = 0; i < kChannelCount; ++i) values[i] = series.channels[i].back();
-    plots_->append(static_cast<std::size_t>(place - compared.begin()), values);
+    plots_->append(plotted(id), values);
+  });
+  // Known once the run has begun, and other ones with its strategy.
+  connect(&runs, &RunLibrary::run_changed, this, [this](RunId id) {
+    const Run* run = session_->runs().find(id);
+    if (run != nullptr) plots_->set_phases(plotted(id), run->series.closing_end, run->series.towing_start);
   });
   connect(&runs, &RunLibrary::run_added, this, [this](RunId id) {
     const Run* run = session_->runs().find(id);
@@ -282,6 +285,11 @@ void MainWindow::run_changed() {
   editor_->set_running(session_->live() ? &session_->live()->scenario : nullptr);
   findings_updater_->request();
   if (run == nullptr) plots_->set_time(std::nullopt);
+}
+
+std::size_t MainWindow::plotted(RunId id) const {
+  const auto compared = runs_panel_->compared();
+  return static_cast<std::size_t>(std::ranges::find(compared, id) - compared.begin());
 }
 
 void MainWindow::update_plots() {

@@ -101,6 +101,8 @@ class MainWindow : public QMainWindow {
   void run_changed();
   void update_title();
   void update_plots();
+  // Which of the plotted runs it is; their number when it is none of them.
+  std::size_t plotted(RunId id) const;
   void plot_pick(RunId id, const Pick& pick);
   void show_second_view(bool shown);
   void set_moving(bool moving);

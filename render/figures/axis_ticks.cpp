@@ -9,6 +9,7 @@ namespace netpocket {
 namespace {
 
 constexpr double kRoundOff = 1e-9;  // of a step: what counts as on a tick
+constexpr int kMoreIntervals = 4;   // than there is room for, rather than one label
 constexpr int kLongestLabel = 5;    // significant digits before an offset is split off
 
 int decimal_exponent(double value) { return static_cast<int>(std::floor(std::log10(value) + kRoundOff)); }
@@ -75,8 +76,13 @@ AxisLimits padded_limits(double low, double high, double margin, double minimum_
 
 AxisTicks make_ticks(const AxisLimits& limits, int intervals) {
   AxisTicks ticks;
-  const double step = nice_step(limits.span(), intervals);
+  double step = nice_step(limits.span(), intervals);
   ticks.major = multiples(step, limits);
+  // One label alone tells no scale.
+  for (int more = intervals + 1; ticks.major.size() < 2 && more <= intervals + kMoreIntervals; ++more) {
+    step = nice_step(limits.span(), more);
+    ticks.major = multiples(step, limits);
+  }
 
   const double minor_step = step / (leading_digit(step) == 2 ? 4 : 5);
   for (const double value : multiples(minor_step, limits)) {

@@ -1,12 +1,12 @@
 #include "render/scene/view_file.h"
 
 #include <fmt/format.h>
+#include <toml++/toml.h>
 
 #include <Eigen/Geometry>
 #include <cmath>
 #include <fstream>
 #include <sstream>
-#include <toml++/toml.h>
 
 #include "render/render_error.h"
 

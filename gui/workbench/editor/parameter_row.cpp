@@ -211,7 +211,9 @@ void ParameterRow::set_problem(const QString& problem) {
 }
 
 void ParameterRow::set_running(const Scenario* running) {
-  running_ = running ? std::optional(parameter_.get(*running)) : std::nullopt;
+  auto value = running ? std::optional(parameter_.get(*running)) : std::nullopt;
+  if (value == running_) return;
+  running_ = std::move(value);
   show_effect();
 }
 

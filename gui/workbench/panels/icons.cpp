@@ -3,6 +3,7 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <QPixmap>
+#include <QPixmapCache>
 #include <QPolygonF>
 
 namespace netpocket {
@@ -60,14 +61,20 @@ void draw(Glyph glyph, QPainter& painter) {
   }
 }
 
+// A form shows a hundred of a few glyphs: each is drawn once.
 QPixmap pixmap(Glyph glyph, const QColor& colour, double ratio) {
-  QPixmap result(QSize(kSize, kSize) * ratio);
+  const QString key = QString("netpocket/%1/%2/%3").arg(static_cast<int>(glyph)).arg(colour.name()).arg(ratio);
+  QPixmap result;
+  if (QPixmapCache::find(key, &result)) return result;
+  result = QPixmap(QSize(kSize, kSize) * ratio);
   result.setDevicePixelRatio(ratio);
   result.fill(Qt::transparent);
   QPainter painter(&result);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(QPen(colour, 1.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   draw(glyph, painter);
+  painter.end();
+  QPixmapCache::insert(key, result);
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "gui/workbench/panels/ask_for_file.h"
@@ -114,6 +115,16 @@ void PlotsPanel::set_series(std::vector<RunSeries> runs) {
 void PlotsPanel::append(std::size_t run, const std::array<double, kChannelCount>& channels) {
   if (run >= runs_.size()) return;
   for (std::size_t i = 0; i < kChannelCount; ++i) runs_[run].channels[i].push_back(channels[i]);
+  request_redraw();
+}
+
+void PlotsPanel::set_phases(std::size_t run, double closing_end, double towing_start) {
+  if (run >= runs_.size()) return;
+  const auto same = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
+  RunSeries& series = runs_[run];
+  if (same(series.closing_end, closing_end) && same(series.towing_start, towing_start)) return;
+  series.closing_end = closing_end;
+  series.towing_start = towing_start;
   request_redraw();
 }
 

@@ -29,6 +29,9 @@ class PlotsPanel : public QWidget {
   // One more recorded frame of a run, by Channel. Without effect if there is no such run.
   void append(std::size_t run, const std::array<double, kChannelCount>& channels);
 
+  // When closing ends and towing starts in a run, s; NaN: unknown or never. Without effect if there is no such run.
+  void set_phases(std::size_t run, double closing_end, double towing_start);
+
   // Panels of things picked in the view, over time; offered as a figure of its own when there are any.
   void set_picked(std::vector<Panel> panels);
 

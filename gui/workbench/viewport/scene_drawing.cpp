@@ -22,6 +22,7 @@ void SceneDrawing::draw(const ViewState& state, int width, int height) {
   const bool other_history = state.history && (other_scene || state.history != shown_.history);
   if (scene_ && other_history) scene_->set_history(*state.history);
   if (scene_ && (other_scene || other_history || state.snapshot != shown_.snapshot)) scene_->update(*state.snapshot);
+  renderer_->SetUseFXAA(state.smoothed());
   apply_view(state.camera, *renderer_->GetActiveCamera());
   shown_ = state;
   window_->Render();

@@ -18,8 +18,10 @@ struct ViewState {
   std::shared_ptr<const SceneOptions> options;
   std::shared_ptr<const SceneHistory> history;  // null: nothing of other moments is shown
   CameraView camera;
+  bool draft = false;  // drawn quickly, whatever the options say of smoothing
 
   bool complete() const { return structure && snapshot && options; }
+  bool smoothed() const { return options && options->fast_smoothing && !draft; }
 };
 
 }  // namespace netpocket

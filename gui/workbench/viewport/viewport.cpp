@@ -17,6 +17,7 @@ constexpr double kKeyAngle = 5 * std::numbers::pi / 180;  // rad, of an arrow ke
 constexpr double kKeyPan = 0.05;                          // of the picture's height
 constexpr double kKeyZoom = 1.15;
 constexpr double kClickRadius = 4;  // pixels that the mouse may move in a click
+constexpr int kRest = 150;          // ms without a change until the picture is smoothed
 
 std::shared_ptr<const Snapshot> with_body_at(const Snapshot& snapshot, std::size_t body, const Eigen::Vector3d& place) {
   auto moved = std::make_shared<Snapshot>(snapshot);
@@ -43,6 +44,9 @@ Viewport::Viewport(PresenterKind kind, QWidget* parent)
   presenter_->failed = [this](const QString& reason) {
     overlay_->set_message(tr("Nothing can be drawn: %1").arg(reason));
   };
+  rest_.setSingleShot(true);
+  rest_.setInterval(kRest);
+  connect(&rest_, &QTimer::timeout, this, &Viewport::refine);
   connect(panel_, &PickPanel::closed, this, [this] { select(std::nullopt); });
   connect(panel_, &PickPanel::plot_requested, this, [this] {
     if (selection_) emit plot_requested(*selection_);
@@ -144,7 +148,21 @@ void Viewport::set_camera(const OrbitCamera& camera) {
 
 void Viewport::set_follow_target(bool follow) { follow_ = follow; }
 
-void Viewport::refresh() { presenter_->show(state_); }
+// Where no graphics device draws, smoothing takes most of a picture's time: what moves is better seen more often.
+void Viewport::refresh() {
+  state_.draft = state_.options->fast_smoothing;
+  presenter_->show(state_);
+  if (state_.draft) {
+    rest_.start();
+  } else {
+    rest_.stop();
+  }
+}
+
+void Viewport::refine() {
+  state_.draft = false;
+  presenter_->show(state_);
+}
 
 void Viewport::picture_came(const ViewState& shown, double seconds) {
   shown_ = shown;

@@ -4,7 +4,11 @@
 // Left drag: orbit; with Shift, or middle drag: pan; with Ctrl: roll; right drag or wheel: zoom. Click: pick; double
 // click: look at what is there. Arrow keys orbit, with Shift they pan; + and - zoom. While bodies are moved: left drag
 // of the target or the spacecraft moves it, with Shift along one axis.
+//
+// While anything changes, pictures are drafts; the last one is drawn again, smoothed, when nothing has changed for a
+// moment.
 
+#include <QTimer>
 #include <QWidget>
 #include <memory>
 #include <optional>
@@ -88,6 +92,7 @@ class Viewport : public QWidget {
   enum class Drag { none, orbit, pan, roll, zoom, body };
 
   void refresh();
+  void refine();
   void picture_came(const ViewState& shown, double seconds);
   void update_overlay(const ViewState& shown);
   void set_camera(const OrbitCamera& camera);
@@ -107,6 +112,7 @@ class Viewport : public QWidget {
   PickPanel* panel_;
   ViewState state_;
   ViewState shown_;
+  QTimer rest_;  // runs out when nothing has changed for a moment
   CameraPreset preset_ = CameraPreset::iso;
   bool framed_ = false;      // whether the camera has been aimed at a pocket
   double aimed_aspect_ = 1;  // of the picture when the camera was set last

@@ -16,6 +16,7 @@
 #include "gui/workbench/editor/scenario_editor.h"
 #include "gui/workbench/editor/text_page.h"
 #include "gui/workbench/editor/toml_edit_view.h"
+#include "gui/workbench/panels/findings_panel.h"
 #include "gui/workbench/panels/plots_panel.h"
 #include "gui/workbench/second_view.h"
 #include "gui/workbench/timeline/timeline_bar.h"
@@ -47,6 +48,19 @@ void make_up_channels(Snapshot& frame) {
   frame.channel(Channel::energy_input) = 5 * closed;
   frame.channel(Channel::energy_error) = 1e-4 * closed;
   frame.channel(Channel::time_step) = 1e-4;
+}
+
+Snapshot made_up_frame(const Structure& structure, int index) {
+  Snapshot frame = synthetic::make_snapshot(structure, 0.1 * index, index / (kFrames - 1.0));
+  make_up_channels(frame);
+  return frame;
+}
+
+RunStatistics made_up_statistics() {
+  RunStatistics statistics;
+  statistics.time_step = 1e-4;
+  statistics.step_limit = "axial wave in panel 3";
+  return statistics;
 }
 
 class PictureTest : public WindowTest {
@@ -109,15 +123,8 @@ end_time = 14
     const Structure structure = synthetic::make_structure();
     {
       Recorder recorder(file("made_up.h5").toStdString(), origin, structure, true);
-      for (int i = 0; i < kFrames; ++i) {
-        Snapshot frame = synthetic::make_snapshot(structure, 0.1 * i, i / (kFrames - 1.0));
-        make_up_channels(frame);
-        recorder.write(frame);
-      }
-      RunStatistics statistics;
-      statistics.time_step = 1e-4;
-      statistics.step_limit = "axial wave in panel 3";
-      recorder.finish({RunReason::finished, 10, ""}, statistics);
+      for (int i = 0; i < kFrames; ++i) recorder.write(made_up_frame(structure, i));
+      recorder.finish({RunReason::finished, 10, ""}, made_up_statistics());
     }
     edit_scenario();
     // Modified, so that the recording's scenario, which is the default one, is not taken over.
@@ -130,6 +137,36 @@ end_time = 14
       const ViewState& state = window_->viewport().state();
       return state.structure == window_->session().current()->structure && std::abs(state.snapshot->time - 7) < 1e-6;
     }));
+  }
+
+  // A run that the window takes for one of the simulation's: 7 s of it are made up. Its state is to be set.
+  RunId begin_live_run() {
+    edit_scenario();
+    auto& session = window_->session();
+    session.start(window_->document().scenario(), false);
+    EXPECT_TRUE(wait_until([&] { return session.live()->state == RunState::paused; }));
+    const RunId id = session.live()->id;
+    // The simulation's own recording, of the first frame, gives way to another.
+    session.runs().finish(id);
+    const auto structure = std::make_shared<const Structure>(synthetic::make_structure());
+    session.runs().begin(id, structure, window_->document().scenario());
+    session.runs().finish_writing();
+    session.live()->file->write(made_up_frame(*structure, 0));  // in place of the simulation's
+    for (int i = 1; i <= 70; ++i) {
+      constexpr double kSpeed = 0.42;
+      const auto frame = std::make_shared<const Snapshot>(made_up_frame(*structure, i));
+      session.runs().append(id, frame, made_up_statistics(), kSpeed);
+    }
+    window_->plots().show_figure("figure05_force");
+    return id;
+  }
+
+  void set_live_state(RunId id, RunState state, const RunStatus& status = {}) {
+    auto& session = window_->session();
+    session.runs().set_state(id, state, status, made_up_statistics());
+    session.set_follow(true);
+    EXPECT_TRUE(wait_until([&] { return std::abs(window_->viewport().state().snapshot->time - 7) < 1e-6; }));
+    window_->viewport().set_preset(CameraPreset::iso);
   }
 
   QImage picture() {
@@ -170,6 +207,37 @@ TEST_F(PictureTest, RecordingInTheDark) {
   QApplication::setPalette(light);
 }
 
+TEST_F(PictureTest, Running) {
+  set_live_state(begin_live_run(), RunState::running);
+  expect_like_baseline(picture(), "running");
+}
+
+TEST_F(PictureTest, Diverged) {
+  const RunStatus status = {
+      RunReason::diverged, 7,
+      "panel 3 row 2 (element 214), in contact with the target, moves at 1.65e+05 m/s in step 70000 "
+      "of 0.0001 s, at t = 7 s; try a solver.time_step below 5e-05 s"};
+  set_live_state(begin_live_run(), RunState::ended, status);
+  emit window_->session().run_diverged(
+      "The run has diverged and stands still: " + QString::fromStdString(status.message) + ".");
+  expect_like_baseline(picture(), "diverged");
+}
+
+TEST_F(PictureTest, NeedsARestart) {
+  set_live_state(begin_live_run(), RunState::running);
+  editor().search()->setText("diameter");
+  ASSERT_FALSE(window_->document().set_value(*find_parameter("net.diameter"), 0.005));
+  ASSERT_FALSE(window_->document().set_value(*find_parameter("rods.outer_diameter"), 0.12));
+  expect_like_baseline(picture(), "needs_restart");
+}
+
+TEST_F(PictureTest, Findings) {
+  open_recording();
+  window_->findChild<QDockWidget*>("findings")->raise();
+  ASSERT_TRUE(wait_until([&] { return !window_->findings().findings().empty(); }));
+  expect_like_baseline(picture(), "findings");
+}
+
 TEST_F(PictureTest, SecondView) {
   open_recording();
   window_->view_actions().second_view_action()->trigger();
@@ -197,6 +265,7 @@ TEST_F(PictureTest, PickedAndPlotted) {
 
 TEST_F(PictureTest, Measuring) {
   open_recording();
+  ASSERT_TRUE(wait_for_picture());  // cameras are aimed when the layout has come to rest
   window_->viewport().set_preset(CameraPreset::front);
   ASSERT_TRUE(wait_for_picture());
   window_->viewport().set_measuring(true);

@@ -10,6 +10,7 @@
 #include <QTimer>
 #include <QUrl>
 
+#include "gui/workbench/second_view.h"
 #include "gui/workbench/viewport/viewport.h"
 
 namespace netpocket {
@@ -85,10 +86,10 @@ bool WindowTest::run_to(double time) {
 
 namespace {
 
-// The picture is of what was asked for last: a picture of an older camera may come in between.
+// The picture is of what was asked for last, and as good as it gets: one of an older camera or a draft may come before.
 bool is_up_to_date(const Viewport& viewport) {
   const ViewState &asked = viewport.state(), &shown = viewport.shown();
-  return shown.snapshot == asked.snapshot && shown.camera.position == asked.camera.position &&
+  return !shown.draft && shown.snapshot == asked.snapshot && shown.camera.position == asked.camera.position &&
          shown.camera.focal_point == asked.camera.focal_point && shown.camera.half_height == asked.camera.half_height;
 }
 
@@ -98,7 +99,11 @@ bool WindowTest::wait_for_picture() {
   bool came = false;
   const auto connection = QObject::connect(&window_->viewport(), &Viewport::picture_shown, [&] { came = true; });
   window_->viewport().set_snapshot(window_->viewport().state().snapshot);
-  const bool shown = wait_until([&] { return came && is_up_to_date(window_->viewport()); });
+  const bool shown = wait_until([&] {
+    SecondView* second = window_->second_view();
+    return came && is_up_to_date(window_->viewport()) &&
+           (second == nullptr || !second->isVisible() || is_up_to_date(second->viewport()));
+  });
   QObject::disconnect(connection);
   return shown;
 }

@@ -24,7 +24,8 @@ class WindowTest : public testing::Test {
   static bool wait_until(const std::function<bool()>& condition, double seconds = 30);
   // Lets a run come to `time`, s, and pauses it.
   bool run_to(double time);
-  // Until the viewport shows a picture of the state that it was given last.
+  // Until the viewport, and the second one when there is one, shows a smooth picture of the state that it was given
+  // last.
   bool wait_for_picture();
   // Drags a file into the window and lets it go.
   void drop(const QString& path);

@@ -74,6 +74,11 @@ TEST(Ticks, LieWithinTheLimitsAndMinorOnesBetween) {
   }
 }
 
+TEST(Ticks, AreAtLeastTwo) {
+  EXPECT_EQ(make_ticks({-1, 45}, 1).labels, (Labels{"0", "20", "40"}));
+  EXPECT_EQ(make_ticks({-1e-3, 1e-3}, 1).labels.size(), 3u);
+}
+
 TEST(Limits, KeepAMarginAroundTheData) { EXPECT_EQ(padded_limits(0, 10, 0.1, 0), (AxisLimits{-1, 11})); }
 
 TEST(Limits, CanBeDrawnForConstantData) {

@@ -90,7 +90,7 @@ TEST_F(FigureFile, SvgTextIsText) {
   EXPECT_EQ(count(svg, ">first curve</text>"), 1u);
   EXPECT_EQ(count(svg, ">upwards</text>"), 1u);
   EXPECT_NE(svg.find("transform=\"matrix(", svg.rfind("<text", svg.find(">upwards"))), std::string::npos);
-  EXPECT_EQ(count(svg, ">2</text>"), 1u) << "values on the axis";
+  EXPECT_EQ(count(svg, ">2</text>"), 2u) << "values on both axes";
   EXPECT_TRUE(svg.ends_with("</svg>\n"));
 }
 
