@@ -32,6 +32,8 @@ FindingCase verdict(const RunHistory& run, bool holds, std::string value) {
 }
 
 std::string ends_before(const RunHistory& run, const char* what, double time) {
+  constexpr double kRounding = 1e-9;  // s
+  if (run.end() > time - kRounding) return fmt::format("run ends at t = {:.4g} s, when {}", run.end(), what);
   return fmt::format("run ends at t = {:.4g} s, before {} at {:.4g} s", run.end(), what, time);
 }
 
