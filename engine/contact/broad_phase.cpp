@@ -114,15 +114,18 @@ class NearPairs {
  public:
   NearPairs(std::span<const AlignedBox3d> boxes, double margin) {
     AlignedBox3d all;
-    Vector3d sizes = Vector3d::Zero();
+    Vector3d sizes = Vector3d::Zero(), largest = sizes;
     for (const AlignedBox3d& box : boxes) {
       all.extend(box);
       sizes += box.sizes();
+      largest = largest.cwiseMax(box.sizes());
     }
     if (boxes.empty()) return;
     low_ = all.min();
     const double mean = sizes.mean() / static_cast<double>(boxes.size());
-    cell_ = std::max(2 * mean + margin, std::max(all.sizes().y(), all.sizes().z()) / kMostColumns);
+    // Columns fit the many boxes; a few that reach far, as in a state that flies apart, must not stand in too many.
+    cell_ = std::max({2 * mean + margin, std::max(largest.y(), largest.z()) / kMostColumnsOfABox,
+                      std::max(all.sizes().y(), all.sizes().z()) / kMostColumns});
     layers_ = column(all.max().z() + margin, 2) + 1;
     for (std::size_t i = 0; i < boxes.size(); ++i) add({boxes[i].min(), boxes[i].max().array() + margin}, i);
     std::ranges::sort(entries_, [](const Entry& a, const Entry& b) {
@@ -143,7 +146,7 @@ class NearPairs {
   const std::vector<std::pair<int, int>>& pairs() const { return pairs_; }
 
  private:
-  static constexpr double kMostColumns = 1e6;  // along an axis
+  static constexpr double kMostColumns = 1e6, kMostColumnsOfABox = 16;  // along an axis
   struct Entry {
     std::int64_t column;
     Vector3d low, high;

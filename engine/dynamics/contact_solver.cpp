@@ -20,20 +20,6 @@ constexpr double kNearMargin = 0.02;
 constexpr double kBroadMargin = 0.3;
 static_assert(kLongestTravel <= BroadPhase::kLeastInHand * kBroadMargin);
 
-inline Eigen::Vector3d combine(const SlotVectors& vectors, const std::array<std::int32_t, 4>& slot,
-                               const std::array<double, 4>& weight) {
-  return ((weight[0] * vectors.get(slot[0]) + weight[1] * vectors.get(slot[1])) +
-          (weight[2] * vectors.get(slot[2]) + weight[3] * vectors.get(slot[3])));
-}
-
-// Between two checks for faults a diverging state may become anything, and FCL's tree does not survive numbers that are
-// none or overflow.
-bool is_sound(const Eigen::AlignedBox3d& box) {
-  constexpr double kFarthest = 1e9;  // m
-  return box.min().allFinite() && box.max().allFinite() && box.min().cwiseAbs().maxCoeff() < kFarthest &&
-         box.max().cwiseAbs().maxCoeff() < kFarthest;
-}
-
 }  // namespace
 
 ContactSolver::ContactSolver(const Model& model, const SlotLayout& layout)
@@ -86,23 +72,12 @@ ContactSolver::Pair ContactSolver::make_pair(std::int32_t element, std::int32_t 
   return {stiffness, effective_mass(tributary, body.mass)};
 }
 
-// The control polygon of the Bezier form of the element's cubic holds the curve.
-Eigen::AlignedBox3d ContactSolver::bounds(const SlotVectors& coordinates, double length, std::int32_t element) const {
-  const auto& slot = slots_[element];
-  const Eigen::Vector3d r1 = coordinates.get(slot[0]), r2 = coordinates.get(slot[2]);
-  Eigen::AlignedBox3d box(r1);
-  box.extend(r2);
-  box.extend(Eigen::Vector3d(r1 + length / 3 * coordinates.get(slot[1])));
-  box.extend(Eigen::Vector3d(r2 - length / 3 * coordinates.get(slot[3])));
-  const Eigen::Vector3d radius = Eigen::Vector3d::Constant(radius_[element]);
-  return {box.min() - radius, box.max() + radius};
-}
-
 bool ContactSolver::update_broad_phase(const SlotVectors& coordinates, const std::vector<double>& element_length,
                                        const std::vector<DynamicBody>& bodies) {
   std::vector<Eigen::AlignedBox3d> boxes;
+  boxes.reserve(slots_.size());
   for (std::size_t i = 0; i < slots_.size(); ++i) {
-    boxes.push_back(bounds(coordinates, element_length[i], static_cast<std::int32_t>(i)));
+    boxes.push_back(curve_bounds(coordinates, slots_[i], element_length[i], radius_[i]));
   }
   std::vector<PlacedShape> shapes;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -192,7 +167,7 @@ void ContactSolver::find_contacts(const SlotVectors& coordinates, const std::vec
       const double length = element_length[element];
       double least = std::numeric_limits<double>::infinity();
       for (std::size_t i = 0; i < samples_.size(); ++i) {
-        const std::array<double, 4> weight = samples_[i].weights(length);
+        const ElementWeights weight = samples_[i].weights(length);
         const Eigen::Vector3d point = combine(coordinates, slots_[element], weight);
         double distance = 0;
         if (sphere != nullptr) {  // most points are not that near: no need to turn into body axes

@@ -19,6 +19,7 @@
 #include "engine/contact/surface_tracker.h"
 #include "engine/dynamics/contacted_slots.h"
 #include "engine/dynamics/dynamic_body.h"
+#include "engine/dynamics/element_curve.h"
 #include "engine/dynamics/slot_state.h"
 #include "engine/model/model.h"
 
@@ -59,7 +60,7 @@ class ContactSolver {
     double position1, gradient1, position2, gradient2;
 
     // Of the slots of an element of this length (m).
-    std::array<double, 4> weights(double length) const {
+    ElementWeights weights(double length) const {
       return {position1, length * gradient1, position2, length * gradient2};
     }
   };
@@ -71,8 +72,8 @@ class ContactSolver {
   };
   struct Contact {
     std::int32_t element, body;
-    std::array<std::int32_t, 4> slot;
-    std::array<double, 4> weight;
+    ElementSlots slot;
+    ElementWeights weight;
     Eigen::Vector3d point;   // m, on the cable's axis: where the force acts on both, so that their moments balance
     Eigen::Vector3d normal;  // outward from the body
     double penetration;      // m
@@ -84,7 +85,6 @@ class ContactSolver {
   };
   void survey(const SlotVectors& coordinates, const SlotVectors& velocities, const std::vector<double>& element_length,
               const std::vector<DynamicBody>& bodies, double dt);
-  Eigen::AlignedBox3d bounds(const SlotVectors& coordinates, double length, std::int32_t element) const;
   // False when the state is lost: then there is nothing to look for.
   bool update_broad_phase(const SlotVectors& coordinates, const std::vector<double>& element_length,
                           const std::vector<DynamicBody>& bodies);
@@ -105,7 +105,7 @@ class ContactSolver {
   SlotLayout layout_;
   ContactSettings settings_;
   std::vector<Sample> samples_;
-  std::vector<std::array<std::int32_t, 4>> slots_;          // by element
+  std::vector<ElementSlots> slots_;                         // by element
   std::vector<double> radius_;                              // by element
   double damping_;                                          // alpha of force_law.h
   std::vector<std::vector<Pair>> pairs_;                    // by body, of the elements that have touched it

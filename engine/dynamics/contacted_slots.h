@@ -8,11 +8,11 @@
 // the contacts' common inverse mass matrix. No step can then push a node beyond what a single contact would (mass
 // splitting: Tonge, Benevolenski & Voroshilov 2012, doi:10.1145/2185520.2185601).
 
-#include <array>
 #include <cmath>
 #include <span>
 #include <vector>
 
+#include "engine/dynamics/element_curve.h"
 #include "engine/dynamics/slot_state.h"
 
 namespace netpocket {
@@ -44,7 +44,7 @@ class ContactedSlots {
   const SlotVectors& predicted() const { return predicted_; }
 
   // A contact's part of the slots' inverse mass, 1/kg.
-  double inverse_mass(const std::array<std::int32_t, 4>& slot, const std::array<double, 4>& weight,
+  double inverse_mass(const ElementSlots& slot, const ElementWeights& weight,
                       std::span<const double> inverse_mass) const {
     double sum = 0;
     for (std::size_t i = 0; i < 4; ++i) sum += std::abs(weight[i]) * shared_weight_[slot[i]] * inverse_mass[slot[i]];

@@ -22,13 +22,7 @@ constexpr double kLeastSine = 0.1;
 // stops the approach and parts the two at kParting (m/s) at most.
 constexpr double kDeepImpact = 10, kParting = 0.1;
 
-Vector3d combine(const SlotVectors& vectors, const std::array<std::int32_t, 4>& slot,
-                 const std::array<double, 4>& weight) {
-  return (weight[0] * vectors.get(slot[0]) + weight[1] * vectors.get(slot[1])) +
-         (weight[2] * vectors.get(slot[2]) + weight[3] * vectors.get(slot[3]));
-}
-
-std::array<double, 4> difference(const std::array<double, 4>& a, const std::array<double, 4>& b) {
+ElementWeights difference(const ElementWeights& a, const ElementWeights& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] - b[3]};
 }
 

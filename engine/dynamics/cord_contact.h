@@ -58,13 +58,12 @@ class CordContact {
   double total_normal_force() const;
 
  private:
-  using Slots = std::array<std::int32_t, 4>;
-  using Weights = CordPolyline::Weights;
+  using Weights = ElementWeights;
 
   // One of the two capsules in contact.
   struct Side {
     std::int32_t element;
-    Slots slot;
+    ElementSlots slot;
     std::array<Weights, 2> end;            // shape functions at the capsule's ends
     Weights point;                         // and at the point of its axis nearest to the other one
     double fraction;                       // where that is between the ends

@@ -8,6 +8,7 @@
 
 #include "engine/ancf/shape_functions.h"
 #include "engine/contact/segment_distance.h"
+#include "engine/dynamics/element_curve.h"
 #include "engine/dynamics/slot_state.h"
 #include "engine/model/model.h"
 
@@ -17,7 +18,7 @@ class CordPolyline {
  public:
   static constexpr int kSegments = 4;
   using Vertices = std::array<Eigen::Vector3d, kSegments + 1>;
-  using Weights = std::array<double, 4>;  // of position1, gradient1, position2, gradient2
+  using Weights = ElementWeights;
 
   CordPolyline(const Model& model, const SlotLayout& layout) {
     for (std::size_t i = 0; i < unit_weights_.size(); ++i) {
@@ -30,9 +31,7 @@ class CordPolyline {
     }
   }
 
-  const std::array<std::int32_t, 4>& slots(std::int32_t element) const {
-    return slots_[static_cast<std::size_t>(element)];
-  }
+  const ElementSlots& slots(std::int32_t element) const { return slots_[static_cast<std::size_t>(element)]; }
   // Shape functions at a vertex of an element of `length` (m).
   Weights weights(int vertex, double length) const {
     const Weights& unit = unit_weights_[static_cast<std::size_t>(vertex)];
@@ -40,10 +39,7 @@ class CordPolyline {
   }
   // A vertex (m), or its velocity (m/s).
   Eigen::Vector3d vertex(const SlotVectors& vectors, double length, std::int32_t element, int vertex) const {
-    const auto& slot = slots(element);
-    const Weights weight = weights(vertex, length);
-    return (weight[0] * vectors.get(slot[0]) + weight[1] * vectors.get(slot[1])) +
-           (weight[2] * vectors.get(slot[2]) + weight[3] * vectors.get(slot[3]));
+    return combine(vectors, slots(element), weights(vertex, length));
   }
   Vertices vertices(const SlotVectors& coordinates, double length, std::int32_t element) const {
     Vertices result;
@@ -53,7 +49,7 @@ class CordPolyline {
 
  private:
   std::array<Weights, kSegments + 1> unit_weights_;  // by vertex, for unit length
-  std::vector<std::array<std::int32_t, 4>> slots_;   // by element
+  std::vector<ElementSlots> slots_;                  // by element
 };
 
 }  // namespace netpocket

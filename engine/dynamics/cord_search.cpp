@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "engine/bodies/symmetric_algebra.h"
+#include "engine/dynamics/element_curve.h"
 
 namespace netpocket {
 namespace {
@@ -39,12 +40,6 @@ double broad_margin(const Model& model) {
   double length = 0;
   for (const ModelElement& element : model.elements) length += element.length;
   return kBroadMargin * length / static_cast<double>(model.elements.size());
-}
-
-bool is_sound(const AlignedBox3d& box) {
-  constexpr double kFarthest = 1e9;  // m
-  return box.min().allFinite() && box.max().allFinite() && box.min().cwiseAbs().maxCoeff() < kFarthest &&
-         box.max().cwiseAbs().maxCoeff() < kFarthest;
 }
 
 }  // namespace
@@ -100,15 +95,8 @@ bool CordSearch::update_candidates(const SlotVectors& coordinates, const std::ve
   std::vector<AlignedBox3d> boxes;
   boxes.reserve(radius_.size());
   for (std::size_t i = 0; i < radius_.size(); ++i) {
-    const auto& slot = polyline_.slots(static_cast<std::int32_t>(i));
-    const Vector3d r1 = coordinates.get(slot[0]), r2 = coordinates.get(slot[2]);
-    const double third = element_length[i] / 3;
-    // The control polygon of the Bezier form holds the curve.
-    AlignedBox3d box(r1);
-    box.extend(r2);
-    box.extend(Vector3d(r1 + third * coordinates.get(slot[1])));
-    box.extend(Vector3d(r2 - third * coordinates.get(slot[3])));
-    boxes.emplace_back(box.min().array() - radius_[i], box.max().array() + radius_[i]);
+    boxes.push_back(
+        curve_bounds(coordinates, polyline_.slots(static_cast<std::int32_t>(i)), element_length[i], radius_[i]));
   }
   if (!std::ranges::all_of(boxes, is_sound)) return false;
   if (!broad_phase_.update(boxes, {})) return true;

@@ -163,7 +163,7 @@ struct Simulation::Impl {
     const double end = static_cast<double>(interval + 1) * length;
     const double allowed = scenario.solver.time_step > 0
                                ? scenario.solver.time_step
-                               : scenario.solver.safety * step_choice.stable_step(system, winding, end);
+                               : scenario.solver.safety * step_choice.stable_step(winding, end);
     interval_steps = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(length / allowed)));
     time_step = (end - static_cast<double>(interval) * length) / static_cast<double>(interval_steps);
     step_choice.note(time_step);

@@ -28,7 +28,8 @@ void visit_thread(const std::function<void(double&)>& visit, std::int32_t& threa
 }  // namespace
 
 StepChoice::StepChoice(CableSystem& system)
-    : model_(system.model()),
+    : system_(system),
+      model_(system.model()),
       follows_shape_(system.evaluation() == ElementEvaluation::mean_strain),
       bound_(system.stable_step()),
       bound_length_(model_.ropes.front().motion(0).length) {}
@@ -49,22 +50,18 @@ double StepChoice::step_of_rope_element(double length) {
   return rope_step_;
 }
 
-double StepChoice::stable_step(CableSystem& system, const std::function<RopeMotion(double)>& winding, double end) {
-  const double length = winding(system.time()).length;
+double StepChoice::stable_step(const std::function<RopeMotion(double)>& winding, double end) {
+  const double length = winding(system_.time()).length;
   if (follows_shape_ && (length < kChange * bound_length_ || kChange * length > bound_length_)) {
-    bound_ = system.stable_step();
+    bound_ = system_.stable_step();
     bound_length_ = length;
   }
-  StableStep straight = bound_;
   const double of_rope = step_of_rope_element(std::min(length, winding(end).length));
-  if (of_rope < bound_.step) {
-    const double stiffer = (bound_.step / of_rope) * (bound_.step / of_rope);
-    straight.step = of_rope;
-    straight.stiffness *= stiffer;
-    straight.damping *= stiffer;
-  }
-  const double bent = system.stable_step_as_bent(straight);
-  cause_ = of_rope < bound_.step ? Cause::ropes : bent < kNotable * bound_.step ? Cause::bends : Cause::cables;
+  const bool rope_limits = of_rope < bound_.step;
+  // What limits the rope's element may be damping alone: as an undamped mode of the same step bends can add to it.
+  const StableStep rope_alone{.step = of_rope, .stiffness = 4 / (of_rope * of_rope)};
+  const double bent = system_.stable_step_as_bent(rope_limits ? rope_alone : bound_);
+  cause_ = rope_limits ? Cause::ropes : bent < kNotable * bound_.step ? Cause::bends : Cause::cables;
   return bent;
 }
 

@@ -19,12 +19,12 @@ namespace netpocket {
 
 class StepChoice {
  public:
-  // Of a model with closing ropes, all alike; `system` as built from it.
+  // Of a system as built, which must outlive this; its closing ropes are all alike.
   explicit StepChoice(CableSystem& system);
 
   // Largest stable step (s, without a safety factor) from the system's present time until `end` (s), with the ropes
   // wound by this law.
-  double stable_step(CableSystem& system, const std::function<RopeMotion(double)>& winding, double end);
+  double stable_step(const std::function<RopeMotion(double)>& winding, double end);
 
   // As of the system at rest, before any choice. s
   double first_stable_step() const { return bound_.step; }
@@ -50,6 +50,7 @@ class StepChoice {
 
   double step_of_rope_element(double length);
 
+  CableSystem& system_;
   const Model& model_;
   bool follows_shape_;                                  // the mean-strain evaluation does
   StableStep bound_;                                    // of straight cables, at the rope length:

@@ -152,6 +152,19 @@ TEST(BroadPhase, NothingThatTouchesIsMissedBetweenRebuilds) {
   EXPECT_EQ(broad_phase.rebuild_count(), 1 + 499 / 13);  // 13 steps of 2 mm are the first to exceed 25 mm
 }
 
+// A state that flies apart has boxes of any size before it is found out: pairs take no more memory for it.
+TEST(BroadPhase, OneBoxMayReachThroughAll) {
+  constexpr int kCount = 30000;
+  std::vector<AlignedBox3d> boxes;
+  for (int i = 0; i < kCount; ++i) boxes.emplace_back(Vector3d(i, 0, 0), Vector3d(i + 0.5, 0.1, 0.1));
+  boxes.emplace_back(Vector3d(-1e8, -1e8, -1e8), Vector3d(1e8, 1e8, 1e8));
+  BroadPhase broad_phase(kCount + 1, 0.2);
+  broad_phase.rebuild(boxes, {});
+  const auto pairs = broad_phase.pairs();
+  ASSERT_EQ(pairs.size(), static_cast<std::size_t>(kCount));
+  for (int i = 0; i < kCount; ++i) EXPECT_EQ(pairs[static_cast<std::size_t>(i)], std::pair(i, kCount));
+}
+
 TEST(BroadPhase, SlowMotionRebuildsRarely) {
   BroadPhase broad_phase(0, 0.05);
   int rebuilds = 0;

@@ -1,0 +1,43 @@
+#pragma once
+// Points and bounds of an element's curve, as contact needs them. m, world axes.
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cstdint>
+
+#include "engine/dynamics/slot_state.h"
+
+namespace netpocket {
+
+// Of an element: position1, gradient1, position2, gradient2.
+using ElementSlots = std::array<std::int32_t, 4>;
+using ElementWeights = std::array<double, 4>;
+
+// The point (or its velocity) with these shape functions. In this order an element that is turned end for end gives the
+// same to the last bit.
+inline Eigen::Vector3d combine(const SlotVectors& vectors, const ElementSlots& slot, const ElementWeights& weight) {
+  return (weight[0] * vectors.get(slot[0]) + weight[1] * vectors.get(slot[1])) +
+         (weight[2] * vectors.get(slot[2]) + weight[3] * vectors.get(slot[3]));
+}
+
+// Box of a cable of this radius round an element of this length: the control polygon of the cubic's Bezier form holds
+// the curve.
+inline Eigen::AlignedBox3d curve_bounds(const SlotVectors& coordinates, const ElementSlots& slot, double length,
+                                        double radius) {
+  const Eigen::Vector3d r1 = coordinates.get(slot[0]), r2 = coordinates.get(slot[2]);
+  Eigen::AlignedBox3d box(r1);
+  box.extend(r2);
+  box.extend(Eigen::Vector3d(r1 + length / 3 * coordinates.get(slot[1])));
+  box.extend(Eigen::Vector3d(r2 - length / 3 * coordinates.get(slot[3])));
+  return {box.min().array() - radius, box.max().array() + radius};
+}
+
+// Between two checks for faults a diverging state may become anything, and the broad phase does not survive numbers
+// that are none or overflow.
+inline bool is_sound(const Eigen::AlignedBox3d& box) {
+  constexpr double kFarthest = 1e9;  // m
+  return box.min().allFinite() && box.max().allFinite() && box.min().cwiseAbs().maxCoeff() < kFarthest &&
+         box.max().cwiseAbs().maxCoeff() < kFarthest;
+}
+
+}  // namespace netpocket
