@@ -139,12 +139,12 @@ void ElementBatch::set_length(int element, double length, double rate) {
   mates.length_rate[lane] = block.length_rate[lane];
 }
 
-BatchPower ElementBatch::forces(int first, int last, const SlotArrays& coordinates, const SlotArrays& velocities,
+BatchPower ElementBatch::forces(int first, int last, const SlotRows& coordinates, const SlotRows& velocities,
                                 double* forces) const {
   return kernels().forces(view(), first, last, coordinates, velocities, forces);
 }
 
-void ElementBatch::states(const SlotArrays& coordinates, const SlotArrays& velocities, double* states) const {
+void ElementBatch::states(const SlotRows& coordinates, const SlotRows& velocities, double* states) const {
   kernels().states(view(), 0, block_count(), coordinates, velocities, states);
 }
 

@@ -3,7 +3,7 @@
 // to round-off. Elements are computed in blocks of eight lanes; consecutive elements whose coordinates are consecutive
 // too (the eight sectors of a pocket) are read without gathering.
 //
-// A "slot" is one vector-valued coordinate: a node's position or a gradient. Coordinates are stored as three arrays.
+// A "slot" is one vector-valued coordinate: a node's position or a gradient.
 
 #include <cstdint>
 #include <memory>
@@ -16,12 +16,12 @@ namespace netpocket {
 
 inline constexpr int kBlockSize = 8;  // elements (and slots) computed at once
 
-// Where the coordinates of all slots stand: x, y and z apart, each 64-byte aligned and padded to whole blocks.
-struct SlotArrays {
-  double* x = nullptr;
-  double* y = nullptr;
-  double* z = nullptr;
+// Where the vectors of all slots stand: of every block of eight slots a row of eight x, one of y and one of z, 64-byte
+// aligned.
+struct SlotRows {
+  const double* first = nullptr;
 };
+inline constexpr int kSlotRows = 3;
 
 struct BatchElement {
   std::int32_t slot[4];  // r1, g1, r2, g2
@@ -101,10 +101,9 @@ class ElementBatch {
   // Resisting forces Q (equation of motion: M qdd + Q = F) of blocks [first, last) at these coordinates and velocities.
   // `forces` holds kForceRows * kBlockSize doubles for each block of the batch, 64-byte aligned. A pair of blocks
   // counts as its first. Safe to call from several threads for different blocks.
-  BatchPower forces(int first, int last, const SlotArrays& coordinates, const SlotArrays& velocities,
-                    double* forces) const;
+  BatchPower forces(int first, int last, const SlotRows& coordinates, const SlotRows& velocities, double* forces) const;
   // Strains and energies of all elements: kStateRows * kBlockSize doubles for each block, 64-byte aligned.
-  void states(const SlotArrays& coordinates, const SlotArrays& velocities, double* states) const;
+  void states(const SlotRows& coordinates, const SlotRows& velocities, double* states) const;
 
  private:
   std::int32_t index_of(const SectionRows& rows);

@@ -28,8 +28,8 @@ struct Kinematics {
 };
 
 template <bool kVariable>
-NETPOCKET_INLINE Kinematics kinematics(const ElementBlock& block, int part, const SlotArrays& coordinates,
-                                       const SlotArrays& velocities) {
+NETPOCKET_INLINE Kinematics kinematics(const ElementBlock& block, int part, const SlotRows& coordinates,
+                                       const SlotRows& velocities) {
   Kinematics k;
   const Lanes inverse_length = load(block.inverse_length, part);
   const Lanes3 r1 = load_slot(coordinates, block, 0, part), g1 = load_slot(coordinates, block, 1, part);
@@ -103,7 +103,7 @@ NETPOCKET_INLINE Lanes mixed(const Lanes& own, const Lanes& mate) {
 // The block and, if it is the first of a pair, the next.
 template <bool kVariable>
 NETPOCKET_INLINE void block_forces(const BatchView& batch, const ElementBlock* block, int part,
-                                   const SlotArrays& coordinates, const SlotArrays& velocities, double* out,
+                                   const SlotRows& coordinates, const SlotRows& velocities, double* out,
                                    PowerLanes& power) {
   const SectionRows& section = batch.sections[block->section];
   const Kinematics k = kinematics<kVariable>(*block, part, coordinates, velocities);
@@ -127,15 +127,15 @@ NETPOCKET_INLINE const ElementBlock& mate_of(const BatchView& batch, const Eleme
   return block.pairing == Pairing::first ? *(&block + 1) : *(&block - 1);
 }
 
-NETPOCKET_INLINE Lanes3 chord_of(const ElementBlock& block, int part, const SlotArrays& coordinates) {
+NETPOCKET_INLINE Lanes3 chord_of(const ElementBlock& block, int part, const SlotRows& coordinates) {
   return load(block.inverse_length, part) *
          (load_slot(coordinates, block, 2, part) - load_slot(coordinates, block, 0, part));
 }
 
 }  // namespace
 
-BatchPower element_forces(const BatchView& batch, int first, int last, const SlotArrays& coordinates,
-                          const SlotArrays& velocities, double* forces) {
+BatchPower element_forces(const BatchView& batch, int first, int last, const SlotRows& coordinates,
+                          const SlotRows& velocities, double* forces) {
   PowerLanes power[kParts] = {};
   for (int i = first; i < last; ++i) {
     const ElementBlock* block = batch.blocks + i;
@@ -157,8 +157,8 @@ BatchPower element_forces(const BatchView& batch, int first, int last, const Slo
   return sum;
 }
 
-void element_states(const BatchView& batch, int first, int last, const SlotArrays& coordinates,
-                    const SlotArrays& velocities, double* states) {
+void element_states(const BatchView& batch, int first, int last, const SlotRows& coordinates,
+                    const SlotRows& velocities, double* states) {
   for (int i = first; i < last; ++i) {
     const ElementBlock& block = batch.blocks[i];
     double* out = states + static_cast<std::ptrdiff_t>(i) * kStateRows * kBlock;

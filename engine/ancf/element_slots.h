@@ -8,14 +8,19 @@
 namespace netpocket::lanes {
 namespace {
 
-NETPOCKET_INLINE Lanes load_component(const double* array, const ElementBlock& block, int corner, int part) {
-  if (block.base[corner] >= 0) return load_rotated(array + block.base[corner], part, block.rotation[corner]);
-  return gather(array, block.slot[corner], part);
-}
-
-NETPOCKET_INLINE Lanes3 load_slot(const SlotArrays& arrays, const ElementBlock& block, int corner, int part) {
-  return {load_component(arrays.x, block, corner, part), load_component(arrays.y, block, corner, part),
-          load_component(arrays.z, block, corner, part)};
+NETPOCKET_INLINE Lanes3 load_slot(const SlotRows& rows, const ElementBlock& block, int corner, int part) {
+  if (block.base[corner] >= 0) {
+    const double* row = rows.first + static_cast<std::ptrdiff_t>(block.base[corner]) * kSlotRows;
+    const int rotation = block.rotation[corner];
+    return {load_rotated(row, part, rotation), load_rotated(row + kBlock, part, rotation),
+            load_rotated(row + 2 * kBlock, part, rotation)};
+  }
+  std::ptrdiff_t place[kWidth];
+  for (int i = 0; i < kWidth; ++i) {
+    const std::ptrdiff_t slot = block.slot[corner][part * kWidth + i];
+    place[i] = slot / kBlock * (kSlotRows * kBlock) + slot % kBlock;
+  }
+  return gather3(rows.first, place);
 }
 
 // `row`: the first of the three force rows of a corner.

@@ -19,8 +19,8 @@ full_kernel::Kernel choose_kernel() {
 
 }  // namespace
 
-BatchPower FullBatch::forces(const ElementBatch& batch, int first, int last, const SlotArrays& coordinates,
-                             const SlotArrays& velocities, double* forces) const {
+BatchPower FullBatch::forces(const ElementBatch& batch, int first, int last, const SlotRows& coordinates,
+                             const SlotRows& velocities, double* forces) const {
   static const full_kernel::Kernel kernel = choose_kernel();
   return kernel(batch.view(), start_rates_.data(), first, last, coordinates, velocities, forces);
 }

@@ -22,9 +22,6 @@ using namespace lanes;
 constexpr double kVanishing = kBendingRoundOff * kBendingRoundOff;
 constexpr double kSmallestSquare = 0.81;  // FullElementOptions::smallest_stretch squared
 
-NETPOCKET_INLINE Lanes3 cross(const Lanes3& a, const Lanes3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 NETPOCKET_INLINE Lanes3 scaled(double factor, const Lanes3& a) { return broadcast(factor) * a; }
 NETPOCKET_INLINE Lanes larger(const Lanes& a, const Lanes& b) { return a < b ? b : a; }
 
@@ -257,7 +254,7 @@ NETPOCKET_INLINE void add_bending(const Section& section, const Product& square,
   }
 }
 
-NETPOCKET_INLINE Modes load_modes(const SlotArrays& arrays, const ElementBlock& block, const Lanes& inverse_length,
+NETPOCKET_INLINE Modes load_modes(const SlotRows& arrays, const ElementBlock& block, const Lanes& inverse_length,
                                   int part) {
   const Lanes3 r1 = load_slot(arrays, block, 0, part), r2 = load_slot(arrays, block, 2, part);
   const Lanes3 g1 = load_slot(arrays, block, 1, part), g2 = load_slot(arrays, block, 3, part);
@@ -280,7 +277,7 @@ struct PowerLanes {
 
 template <bool kVariable>
 NETPOCKET_INLINE void part_forces(const ElementBlock& block, const SectionRows& rows, const double* start_rates,
-                                  int part, const SlotArrays& coordinates, const SlotArrays& velocities, double* out,
+                                  int part, const SlotRows& coordinates, const SlotRows& velocities, double* out,
                                   PowerLanes& power) {
   const Lanes length = load(block.length, part), inverse_length = load(block.inverse_length, part);
   const Modes q = load_modes(coordinates, block, inverse_length, part);
@@ -323,7 +320,7 @@ NETPOCKET_INLINE void part_forces(const ElementBlock& block, const SectionRows& 
 }  // namespace
 
 BatchPower element_forces(const BatchView& batch, const StartRates* start_rates, int first, int last,
-                          const SlotArrays& coordinates, const SlotArrays& velocities, double* forces) {
+                          const SlotRows& coordinates, const SlotRows& velocities, double* forces) {
   PowerLanes power[kParts] = {};
   for (int i = first; i < last; ++i) {
     const ElementBlock& block = batch.blocks[i];

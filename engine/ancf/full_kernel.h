@@ -11,16 +11,16 @@ struct alignas(64) StartRates {
 };
 
 using Kernel = BatchPower (*)(const BatchView& batch, const StartRates* start_rates, int first, int last,
-                              const SlotArrays& coordinates, const SlotArrays& velocities, double* forces);
+                              const SlotRows& coordinates, const SlotRows& velocities, double* forces);
 
 namespace baseline {
-BatchPower element_forces(const BatchView&, const StartRates*, int, int, const SlotArrays&, const SlotArrays&, double*);
+BatchPower element_forces(const BatchView&, const StartRates*, int, int, const SlotRows&, const SlotRows&, double*);
 }
 namespace avx2 {
-BatchPower element_forces(const BatchView&, const StartRates*, int, int, const SlotArrays&, const SlotArrays&, double*);
+BatchPower element_forces(const BatchView&, const StartRates*, int, int, const SlotRows&, const SlotRows&, double*);
 }
 namespace avx512 {
-BatchPower element_forces(const BatchView&, const StartRates*, int, int, const SlotArrays&, const SlotArrays&, double*);
+BatchPower element_forces(const BatchView&, const StartRates*, int, int, const SlotRows&, const SlotRows&, double*);
 }
 
 }  // namespace netpocket::full_kernel

@@ -1,12 +1,15 @@
 #pragma once
 // A few doubles that are computed at once: one value for each of several cable elements or coordinates, as many as one
 // register of the instruction set holds. Data comes in blocks of eight; a kernel goes through a block in parts of
-// kWidth lanes. Only additions, multiplications and divisions are used, each rounded on its own (-ffp-contract=off), so
-// that every instruction set gives the same bits.
+// kWidth lanes. Only additions, multiplications, divisions and square roots are used, each rounded on its own
+// (-ffp-contract=off), so that every instruction set gives the same bits.
 //
 // To be included only by sources that are compiled once per instruction set; everything here has internal linkage so
 // that no copy compiled for a newer processor can end up in code that an older one runs.
 
+#include <immintrin.h>
+
+#include <cstddef>
 #include <cstdint>
 
 namespace netpocket::lanes {
@@ -36,6 +39,16 @@ NETPOCKET_INLINE void store(double* block, int part, const Lanes& value) {
 }
 NETPOCKET_INLINE Lanes broadcast(double value) { return Lanes{} + value; }
 
+NETPOCKET_INLINE Lanes square_root(const Lanes& value) {
+#if defined(__AVX512F__)
+  return Lanes(_mm512_maskz_sqrt_pd(0xff, __m512d(value)));  // the plain one makes GCC 12 warn
+#elif defined(__AVX__)
+  return Lanes(_mm256_sqrt_pd(__m256d(value)));
+#else
+  return Lanes(_mm_sqrt_pd(__m128d(value)));
+#endif
+}
+
 // Part `part` of a block read in turned order: lane i of the block's eight receives block[(i + rotation) mod 8].
 NETPOCKET_INLINE Lanes load_rotated(const double* block, int part, int rotation) {
   if (rotation == 0) return load(block, part);
@@ -52,9 +65,9 @@ NETPOCKET_INLINE Lanes load_rotated(const double* block, int part, int rotation)
 #endif
 }
 
-NETPOCKET_INLINE Lanes gather(const double* base, const std::int32_t* index, int part) {
+NETPOCKET_INLINE Lanes gather(const double* row, const std::ptrdiff_t* place) {
   Lanes value;
-  for (int i = 0; i < kWidth; ++i) value[i] = base[index[part * kWidth + i]];
+  for (int i = 0; i < kWidth; ++i) value[i] = row[place[i]];
   return value;
 }
 
@@ -65,6 +78,13 @@ struct Lanes3 {
 NETPOCKET_INLINE Lanes3 operator+(const Lanes3& a, const Lanes3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 NETPOCKET_INLINE Lanes3 operator-(const Lanes3& a, const Lanes3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 NETPOCKET_INLINE Lanes3 operator*(const Lanes& s, const Lanes3& a) { return {s * a.x, s * a.y, s * a.z}; }
+// From three rows one behind the other.
+NETPOCKET_INLINE Lanes3 gather3(const double* rows, const std::ptrdiff_t* place) {
+  return {gather(rows, place), gather(rows + kBlock, place), gather(rows + 2 * kBlock, place)};
+}
+NETPOCKET_INLINE Lanes3 cross(const Lanes3& a, const Lanes3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
 // x and z first: the sum keeps its bits when the pocket is turned by 90 degrees about its axis.
 NETPOCKET_INLINE Lanes dot(const Lanes3& a, const Lanes3& b) { return (a.x * b.x + a.z * b.z) + a.y * b.y; }
 

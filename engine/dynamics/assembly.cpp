@@ -1,8 +1,11 @@
 #include "engine/dynamics/assembly.h"
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 #include <tuple>
+
+#include "engine/dynamics/thread_team.h"
 
 namespace netpocket {
 namespace {
@@ -36,9 +39,27 @@ std::optional<std::vector<BlockContribution>> as_whole_blocks(std::span<const La
   return blocks;
 }
 
+// The blocks of slots in as many equal parts as threads share them, each with those that its part of the elements acts
+// on: a thread then finds most of what it reads where it has left it.
+std::vector<std::int32_t> divide(const std::vector<std::vector<LaneContribution>>& by_block, int parts) {
+  std::vector<double> middle(by_block.size(), 0.0);  // of the elements that act on a block
+  for (std::size_t i = 0; i < by_block.size(); ++i) {
+    for (const LaneContribution& c : by_block[i]) middle[i] += c.element_block;
+    if (!by_block[i].empty()) middle[i] /= static_cast<double>(by_block[i].size());
+  }
+  std::vector<std::int32_t> order(by_block.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, {}, [&](std::int32_t block) { return middle[block]; });
+  for (int part = 0; part < parts; ++part) {
+    std::sort(order.begin() + ThreadTeam::bound(static_cast<int>(order.size()), part, parts),
+              order.begin() + ThreadTeam::bound(static_cast<int>(order.size()), part + 1, parts));
+  }
+  return order;
+}
+
 }  // namespace
 
-Assembly::Assembly(std::span<const BatchElement> elements, std::int32_t slot_count) {
+Assembly::Assembly(std::span<const BatchElement> elements, std::int32_t slot_count, int threads) {
   std::vector<std::vector<LaneContribution>> by_block(slot_count / kBlockSize);
   for (std::size_t i = 0; i < elements.size(); ++i) {
     for (int corner = 0; corner < 4; ++corner) {
@@ -49,17 +70,24 @@ Assembly::Assembly(std::span<const BatchElement> elements, std::int32_t slot_cou
                                              .slot_lane = static_cast<std::uint8_t>(slot % kBlockSize)});
     }
   }
-  for (const auto& contributions : by_block) add_block(contributions);
+  place_.resize(by_block.size());
+  for (const std::int32_t slot_block : divide(by_block, threads)) {
+    place_[slot_block] = static_cast<std::int32_t>(blocks_.size());
+    add_block(slot_block, by_block[slot_block]);
+  }
+  block_contributions_.resize(block_contributions_.size() + slot_kernel::kContributionsAhead);
 }
 
-void Assembly::add_block(std::span<const LaneContribution> contributions) {
-  slot_kernel::SlotBlock block;
+void Assembly::add_block(std::int32_t slot_block, std::span<const LaneContribution> contributions) {
+  slot_kernel::SlotBlock block{.slot_block = slot_block};
   if (const auto whole = as_whole_blocks(contributions)) {
-    block = {static_cast<std::int32_t>(block_contributions_.size()), static_cast<std::int32_t>(whole->size()), true};
+    block.first = static_cast<std::int32_t>(block_contributions_.size());
+    block.count = static_cast<std::int32_t>(whole->size());
+    block.regular = true;
     block_contributions_.insert(block_contributions_.end(), whole->begin(), whole->end());
   } else {
-    block = {static_cast<std::int32_t>(lane_contributions_.size()), static_cast<std::int32_t>(contributions.size()),
-             false};
+    block.first = static_cast<std::int32_t>(lane_contributions_.size());
+    block.count = static_cast<std::int32_t>(contributions.size());
     lane_contributions_.insert(lane_contributions_.end(), contributions.begin(), contributions.end());
   }
   blocks_.push_back(block);
@@ -67,33 +95,9 @@ void Assembly::add_block(std::span<const LaneContribution> contributions) {
 
 void Assembly::describe(slot_kernel::UpdateView& view) const {
   view.blocks = blocks_.data();
+  view.place = place_.data();
   view.block_contributions = block_contributions_.data();
   view.lane_contributions = lane_contributions_.data();
-}
-
-Eigen::Vector3d Assembly::element_force(std::int32_t slot, const double* element_forces) const {
-  const slot_kernel::SlotBlock& block = blocks_[slot / kBlockSize];
-  const int slot_lane = slot % kBlockSize;
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();
-  const auto add = [&](std::int32_t first_row, bool reaction, int element_lane) {
-    const double* row = element_forces + static_cast<std::ptrdiff_t>(first_row) * kBlockSize + element_lane;
-    const Eigen::Vector3d resisting(row[0], row[kBlockSize], row[2 * kBlockSize]);
-    if (reaction) {
-      force += resisting;
-    } else {
-      force -= resisting;
-    }
-  };
-  for (std::int32_t i = block.first; i < block.first + block.count; ++i) {
-    if (block.regular) {
-      const BlockContribution& c = block_contributions_[i];
-      add(c.first_row, c.reaction, (slot_lane + c.rotation) % kBlockSize);
-    } else if (lane_contributions_[i].slot_lane == slot_lane) {
-      const LaneContribution& c = lane_contributions_[i];
-      add(slot_kernel::first_force_row(c.element_block, c.corner), c.corner == Corner::position2, c.element_lane);
-    }
-  }
-  return force;
 }
 
 }  // namespace netpocket

@@ -12,19 +12,18 @@ namespace netpocket {
 
 class Assembly {
  public:
-  Assembly(std::span<const BatchElement> elements, std::int32_t slot_count);
+  // `threads`: that share the blocks.
+  Assembly(std::span<const BatchElement> elements, std::int32_t slot_count, int threads);
 
   int block_count() const { return static_cast<int>(blocks_.size()); }
-  // Fills the first three members of a view.
+  // Fills the first four members of a view.
   void describe(slot_kernel::UpdateView& view) const;
 
-  // Sum of the element forces on one slot: minus the resisting forces.
-  Eigen::Vector3d element_force(std::int32_t slot, const double* element_forces) const;
-
  private:
-  void add_block(std::span<const slot_kernel::LaneContribution> contributions);
+  void add_block(std::int32_t slot_block, std::span<const slot_kernel::LaneContribution> contributions);
 
   std::vector<slot_kernel::SlotBlock> blocks_;
+  std::vector<std::int32_t> place_;  // in blocks_, by block of slots
   std::vector<slot_kernel::BlockContribution> block_contributions_;
   std::vector<slot_kernel::LaneContribution> lane_contributions_;
 };

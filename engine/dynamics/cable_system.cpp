@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "engine/ancf/mass.h"
 #include "engine/ancf/strain_pair.h"
@@ -12,6 +13,8 @@
 namespace netpocket {
 namespace {
 
+// Below this number of elements a second thread costs more than it gives.
+constexpr std::size_t kFewestElementsForThreads = 8000;
 // Speeds beyond this (m/s) are a failure of the integration, not a motion.
 constexpr double kRunawaySpeed = 1e4;
 
@@ -37,14 +40,16 @@ std::vector<BatchElement> batch_elements(const Model& model, const SlotLayout& l
 CableSystem::Impl::Impl(Model&& source, const SystemOptions& opts)
     : model(std::move(source)),
       options(opts),
-      arena(std::max(1, opts.threads)),
+      team(model.elements.size() < kFewestElementsForThreads || opts.threads < 2
+               ? nullptr
+               : std::make_unique<ThreadTeam>(opts.threads)),
       layout{static_cast<std::int32_t>(model.nodes.size()), static_cast<std::int32_t>(model.gradients.size())},
       coordinates(layout.size()),
       velocities(layout.size()),
       elements(batch_elements(model, layout, opts.evaluation)),
       batch(elements),
       full_batch(batch.block_count()),
-      assembly(elements, layout.size()),
+      assembly(elements, layout.size(), team ? options.threads : 1),
       constant_mass(layout.size(), 0.0),
       mass(layout.size(), 0.0),
       inverse_mass(layout.size(), 0.0),
@@ -53,8 +58,7 @@ CableSystem::Impl::Impl(Model&& source, const SystemOptions& opts)
       contacts(model, layout),
       contacted(layout.size()),
       element_forces(static_cast<std::size_t>(batch.block_count()) * kForceRows * kBlockSize, 0.0),
-      applied(layout.size()),
-      constant_load(layout.size()) {
+      applied(layout.size()) {
   element_length.reserve(elements.size());
   wave_speed.reserve(elements.size());
   for (const ModelElement& element : model.elements) element_length.push_back(element.length);
@@ -63,9 +67,15 @@ CableSystem::Impl::Impl(Model&& source, const SystemOptions& opts)
   }
   set_initial_state();
   collect_mass();
+  collect_hinges();
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     bodies.emplace_back(model, static_cast<std::int32_t>(b), layout, mass);
     bodies.back().move_attachments(coordinates, velocities);
+    std::set<std::int32_t> blocks;
+    for (const DynamicBody::Attachment& attachment : bodies.back().attachments()) {
+      blocks.insert(attachment.slot / kBlockSize);
+    }
+    attached_blocks.emplace_back(blocks.begin(), blocks.end());
   }
   controls.resize(bodies.size());
   wrenches.resize(bodies.size());
@@ -120,6 +130,26 @@ void CableSystem::Impl::collect_mass() {
   }
 }
 
+// Hinges in their order, a new block wherever the body that keeps their plane changes.
+void CableSystem::Impl::collect_hinges() {
+  for (const Hinge& hinge : model.hinges) {
+    if (hinges.empty() || hinges.back().body != hinge.body || hinges.back().count == kBlockSize) {
+      hinges.emplace_back();
+      hinges.back().body = hinge.body;
+    }
+    HingeBlock& block = hinges.back();
+    // Lanes without a hinge see this one, too, but what they find is not asked for.
+    for (int lane = block.count; lane < kBlockSize; ++lane) {
+      for (int i = 0; i < 9; ++i) block.rest_rotation[i][lane] = hinge.rest_rotation.data()[i];
+      block.stiffness[lane] = hinge.stiffness;
+      block.damping[lane] = hinge.damping;
+      block.gradient1[lane] = layout.gradient(hinge.gradient1);
+      block.gradient2[lane] = layout.gradient(hinge.gradient2);
+    }
+    ++block.count;
+  }
+}
+
 // Whether an element's second node is the middle one of its pair.
 bool CableSystem::Impl::ends_at_mate(const BatchElement& element) const {
   return element.slot[2] == elements[static_cast<std::size_t>(element.mate)].slot[0];
@@ -148,23 +178,19 @@ void CableSystem::Impl::update_ropes() {
 }
 
 void CableSystem::Impl::set_constant_loads() {
+  SlotVectors load(layout.size());
   for (std::size_t i = 0; i < model.nodes.size(); ++i) {
     const ModelNode& node = model.nodes[i];
-    constant_load.set(layout.position(static_cast<std::int32_t>(i)), node.load + node.point_mass * model.gravity);
+    load.set(layout.position(static_cast<std::int32_t>(i)), node.load + node.point_mass * model.gravity);
   }
   for (const BatchElement& element : elements) {
     NodalWeights weight = uniform_load(element.length);
     if (element.mate >= 0 && !element.variable) move_from_middle(weight, ends_at_mate(element));
     for (int corner = 0; corner < 4; ++corner) {
-      constant_load.add(element.slot[corner], element.section.mass_per_length * weight[corner] * model.gravity);
+      load.add(element.slot[corner], element.section.mass_per_length * weight[corner] * model.gravity);
     }
   }
-  applied = constant_load;
-  loaded_at_rest.assign(static_cast<std::size_t>(assembly.block_count()), 0);
-  for (std::int32_t slot = 0; slot < layout.size(); ++slot) {
-    if (constant_load.get(slot) != Eigen::Vector3d::Zero()) loaded_at_rest[slot / kBlockSize] = 1;
-  }
-  loaded = loaded_at_rest;
+  applied.set_constant(std::move(load));
 }
 
 ElementCoordinates CableSystem::Impl::gather(const SlotVectors& vectors, std::size_t element) const {

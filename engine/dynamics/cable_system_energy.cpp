@@ -8,7 +8,7 @@
 namespace netpocket {
 void CableSystem::Impl::compute_states() {
   element_states.resize(static_cast<std::size_t>(batch.block_count()) * kStateRows * kBlockSize);
-  batch.states(coordinates.arrays(), velocities.arrays(), element_states.data());
+  batch.states(coordinates.rows(), velocities.rows(), element_states.data());
 }
 
 // Row `row` of the last compute_states.
@@ -67,7 +67,8 @@ double CableSystem::Impl::kinetic_energy(const SlotVectors& velocity) const {
   }
   if (consistent_mass) return energy + consistent_mass->kinetic_energy(velocity, mass);
   const auto values = [&](const auto& by_slot) {
-    return Eigen::Map<const Eigen::ArrayXd>(by_slot.data(), layout.size());
+    return Eigen::Map<const Eigen::Array<double, kBlockSize, Eigen::Dynamic>>(by_slot.data(), kBlockSize,
+                                                                              layout.size() / kBlockSize);
   };
   // What moves with a body, or not at all, has no inverse mass.
   const auto moving = (values(inverse_mass) != 0).template cast<double>();
@@ -77,9 +78,9 @@ double CableSystem::Impl::kinetic_energy(const SlotVectors& velocity) const {
 // Work of gravity and constant loads up to an additive constant.
 double CableSystem::Impl::load_work() const {
   double work = 0;
-  const bool loads = std::ranges::any_of(loaded_at_rest, [](std::uint8_t block) { return block != 0; });
-  for (std::int32_t slot = 0; loads && slot < layout.size(); ++slot) {
-    work += constant_load.get(slot).dot(coordinates.get(slot));
+  const SlotVectors* loads = applied.constant();
+  for (std::int32_t slot = 0; loads != nullptr && slot < layout.size(); ++slot) {
+    work += loads->get(slot).dot(coordinates.get(slot));
   }
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     work += model.bodies[b].mass * model.gravity.dot(bodies[b].centre());
@@ -110,14 +111,18 @@ EnergyAudit CableSystem::audit() {
 
 namespace {
 
+// `first`: of its block.
 void copy_slots(const SlotVectors& vectors, std::int32_t first, std::int32_t count, Eigen::Matrix3Xd& columns) {
-  columns.resize(3, count);
-  double* out = columns.data();
-  for (std::int32_t slot = first; slot < first + count; ++slot) {
-    const Eigen::Vector3d v = vectors.get(slot);
-    *out++ = v.x();
-    *out++ = v.y();
-    *out++ = v.z();
+  using Block = Eigen::Map<const Eigen::Matrix<double, kBlockSize, kSlotRows>, Eigen::Aligned64>;
+  columns.resize(kSlotRows, count);
+  const double* rows = vectors.rows().first + static_cast<std::ptrdiff_t>(first) * kSlotRows;
+  for (std::int32_t i = 0; i < count; i += kBlockSize, rows += kSlotRows * kBlockSize) {
+    const std::int32_t here = std::min(kBlockSize, count - i);
+    if (here == kBlockSize) {
+      columns.middleCols<kBlockSize>(i) = Block(rows).transpose();
+    } else {
+      columns.middleCols(i, here) = Block(rows).topRows(here).transpose();
+    }
   }
 }
 

@@ -4,17 +4,18 @@
 //   cable_system_step.cpp    forces and the step
 //   cable_system_energy.cpp  energies, audit, snapshots
 
-#include <tbb/task_arena.h>
-
 #include "engine/ancf/full_batch.h"
+#include "engine/dynamics/applied_forces.h"
 #include "engine/dynamics/assembly.h"
 #include "engine/dynamics/cable_system.h"
 #include "engine/dynamics/consistent_mass.h"
 #include "engine/dynamics/contact_solver.h"
 #include "engine/dynamics/contacted_slots.h"
 #include "engine/dynamics/cord_contact.h"
+#include "engine/dynamics/hinge_kernel.h"
 #include "engine/dynamics/rod_wrinkling.h"
 #include "engine/dynamics/rope_dynamics.h"
+#include "engine/dynamics/thread_team.h"
 
 namespace netpocket {
 
@@ -27,7 +28,7 @@ struct CableSystem::Impl {
   // State at step n (positions) and n - 1/2 (velocities).
   Model model;
   SystemOptions options;
-  tbb::task_arena arena;
+  std::unique_ptr<ThreadTeam> team;  // none: one thread steps
   SlotLayout layout;
   SlotVectors coordinates, velocities;
   double time = 0;
@@ -49,6 +50,7 @@ struct CableSystem::Impl {
   SlotVectors forces, unmoved;  // to collect forces for the consistent mass
 
   // Parts.
+  AlignedVector<HingeBlock> hinges;
   std::vector<DynamicBody> bodies;
   std::vector<BodyControl> controls;
   RopeDynamics ropes;
@@ -59,13 +61,12 @@ struct CableSystem::Impl {
 
   // Forces of the present state.
   AlignedVector<double> element_forces;
-  AlignedVector<double> element_states;              // of the last audit
-  std::int64_t step_of_states = -1;                  // of the last audit; -1: the state has changed other than by steps
-  SlotVectors applied;                               // all but element forces
-  SlotVectors constant_load;                         // gravity and loads
-  std::vector<std::int32_t> loaded_slots;            // where `applied` may differ from `constant_load`
-  std::vector<std::uint8_t> loaded, loaded_at_rest;  // by block of slots: 0 where `applied`, `constant_load` is zero
-  std::vector<Wrench> wrenches;                      // by body
+  AlignedVector<double> element_states;  // of the last audit
+  std::int64_t step_of_states = -1;      // of the last audit; -1: the state has changed other than by steps
+  AppliedForces applied;                 // all but element forces
+  std::vector<Wrench> wrenches;          // by body
+  std::vector<std::vector<std::int32_t>> attached_blocks;  // by body: blocks of slots of its attachments, ascending
+  AlignedVector<double> attached_forces;                   // on these
   BatchPower element_power;
   double hinge_power = 0;
   std::int64_t step_of_forces = -1;  // at which forces have been computed; -1: what they follow has changed since
@@ -80,15 +81,15 @@ struct CableSystem::Impl {
   void set_initial_state();
   void begin_accounts();
   void collect_mass();
+  void collect_hinges();
   void update_ropes();
   bool moves(std::int32_t slot) const;
   bool ends_at_mate(const BatchElement& element) const;
   void set_constant_loads();
   template <typename Function>
-  void for_chunks(int blocks, const Function& function);
+  void divide_among_threads(int count, int grain, const Function& function);
   void compute_element_forces();
-  void clear_applied();
-  void add_hinges();
+  void add_hinges(double dt);
   void add_contacts(double dt);
   double contact_power() const;
   void compute_forces(double dt);
@@ -97,9 +98,9 @@ struct CableSystem::Impl {
                       double drift);
   void move_slots(SlotVectors& v, SlotVectors& x, double kick, double drift);
   void step(double dt);
-  Eigen::Vector3d slot_force(std::int32_t slot) const {
-    return assembly.element_force(slot, element_forces.data()) + applied.get(slot);
-  }
+  slot_kernel::UpdateView forces_view();
+  void sum_forces(std::span<const std::int32_t> slot_blocks, double* rows);
+  void add_attachment_forces(std::size_t body);
   std::string contact_of(std::int32_t element) const;
   ElementCoordinates gather(const SlotVectors& vectors, std::size_t element) const;
   MaterialSpan span(std::size_t element) const;

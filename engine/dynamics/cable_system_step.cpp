@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 
@@ -7,48 +6,71 @@
 #include "engine/ancf/instruction_set.h"
 #include "engine/bodies/sector_sum.h"
 #include "engine/dynamics/cable_system_impl.h"
-#include "engine/dynamics/hinge_forces.h"
 
 namespace netpocket {
 namespace {
 
-// Blocks that one task computes. Fixed, so that sums over tasks do not depend on the number of threads.
-constexpr int kChunk = 128;
-// Below this number of elements a second thread costs more than it gives.
-constexpr std::size_t kFewestElementsForThreads = 20000;
+// Blocks that a thread takes at once, and whose powers are summed in a row: fixed, so that sums do not depend on the
+// number of threads.
+constexpr int kChunk = 32;
 
-slot_kernel::Kernel choose_slot_kernel() {
-  switch (instruction_set()) {
-    case InstructionSet::avx512:
-      return slot_kernel::avx512::update;
-    case InstructionSet::avx2:
-      return slot_kernel::avx2::update;
-    case InstructionSet::baseline:
-      break;
-  }
-  return slot_kernel::baseline::update;
+struct SlotKernels {
+  slot_kernel::Kernel update;
+  slot_kernel::SumKernel sum_forces;
+};
+
+const SlotKernels& slot_kernels() {
+  static const SlotKernels chosen = [] {
+    switch (instruction_set()) {
+      case InstructionSet::avx512:
+        return SlotKernels{slot_kernel::avx512::update, slot_kernel::avx512::sum_forces};
+      case InstructionSet::avx2:
+        return SlotKernels{slot_kernel::avx2::update, slot_kernel::avx2::sum_forces};
+      case InstructionSet::baseline:
+        break;
+    }
+    return SlotKernels{slot_kernel::baseline::update, slot_kernel::baseline::sum_forces};
+  }();
+  return chosen;
+}
+
+hinge_kernel::Kernel chosen_hinge_kernel() {
+  static const hinge_kernel::Kernel chosen = [] {
+    switch (instruction_set()) {
+      case InstructionSet::avx512:
+        return hinge_kernel::avx512::forces;
+      case InstructionSet::avx2:
+        return hinge_kernel::avx2::forces;
+      case InstructionSet::baseline:
+        break;
+    }
+    return hinge_kernel::baseline::forces;
+  }();
+  return chosen;
 }
 
 }  // namespace
 
 template <typename Function>
-void CableSystem::Impl::for_chunks(int blocks, const Function& function) {
-  const int chunks = (blocks + kChunk - 1) / kChunk;
-  const auto run = [&](int chunk) { function(chunk, chunk * kChunk, std::min(blocks, (chunk + 1) * kChunk)); };
-  if (options.threads > 1 && elements.size() >= kFewestElementsForThreads) {
-    arena.execute([&] { tbb::parallel_for(0, chunks, run, tbb::static_partitioner()); });
+void CableSystem::Impl::divide_among_threads(int count, int grain, const Function& function) {
+  if (team) {
+    team->run(count, grain, function);
   } else {
-    for (int chunk = 0; chunk < chunks; ++chunk) run(chunk);
+    function(0, count);
   }
 }
 
 void CableSystem::Impl::compute_element_forces() {
   const bool full = options.evaluation == ElementEvaluation::full;
-  chunk_power.resize((batch.block_count() + kChunk - 1) / kChunk);
-  for_chunks(batch.block_count(), [&](int chunk, int first, int last) {
-    const SlotArrays q = coordinates.arrays(), velocity = velocities.arrays();
-    chunk_power[chunk] = full ? full_batch.forces(batch, first, last, q, velocity, element_forces.data())
-                              : batch.forces(first, last, q, velocity, element_forces.data());
+  const int chunks = (batch.block_count() + kChunk - 1) / kChunk;
+  chunk_power.resize(chunks);
+  divide_among_threads(chunks, 1, [&](int first_chunk, int last_chunk) {
+    const SlotRows q = coordinates.rows(), velocity = velocities.rows();
+    for (int chunk = first_chunk; chunk < last_chunk; ++chunk) {
+      const int first = chunk * kChunk, last = std::min(batch.block_count(), first + kChunk);
+      chunk_power[chunk] = full ? full_batch.forces(batch, first, last, q, velocity, element_forces.data())
+                                : batch.forces(first, last, q, velocity, element_forces.data());
+    }
   });
   element_power = {};
   for (const BatchPower& power : chunk_power) {
@@ -57,31 +79,23 @@ void CableSystem::Impl::compute_element_forces() {
   }
 }
 
-void CableSystem::Impl::clear_applied() {
-  for (const std::int32_t slot : loaded_slots) {
-    applied.set(slot, constant_load.get(slot));
-    loaded[slot / kBlockSize] = loaded_at_rest[slot / kBlockSize];
-  }
-  loaded_slots.clear();
-  for (Wrench& wrench : wrenches) wrench = Wrench{};
-}
-
-void CableSystem::Impl::add_hinges() {
+void CableSystem::Impl::add_hinges(double dt) {
   hinge_power = 0;
   std::vector<SectorSum<Eigen::Vector3d>> torque(bodies.size(), SectorSum<Eigen::Vector3d>(Eigen::Vector3d::Zero()));
-  for (std::size_t i = 0; i < model.hinges.size(); ++i) {
-    const Hinge& hinge = model.hinges[i];
-    const std::int32_t g1 = layout.gradient(hinge.gradient1), g2 = layout.gradient(hinge.gradient2);
-    const bool on_body = hinge.body >= 0;
-    const HingeForces forces =
-        hinge_forces(hinge, coordinates.get(g1), coordinates.get(g2), velocities.get(g1), velocities.get(g2),
-                     on_body ? bodies[hinge.body].rigid().rotation() : Eigen::Matrix3d::Identity(),
-                     on_body ? bodies[hinge.body].rigid().angular_velocity() : Eigen::Vector3d::Zero());
-    applied.add(g1, forces.on_gradient1);
-    applied.add(g2, forces.on_gradient2);
-    loaded_slots.insert(loaded_slots.end(), {g1, g2});
-    if (on_body) torque[hinge.body].add(static_cast<int>(i), forces.torque_on_body);
-    hinge_power += forces.dissipated_power;
+  for (HingeBlock& block : hinges) {
+    hinge_kernel::Axes axes{{1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, 0}};
+    if (block.body >= 0) {
+      const RigidBody& body = bodies[block.body].rigid();
+      std::copy_n(body.rotation().data(), 9, axes.rotation);
+      std::copy_n(body.angular_velocity().data(), 3, axes.angular_velocity);
+    }
+    chosen_hinge_kernel()(coordinates.rows(), velocities.rows(), inverse_mass.data(), dt, axes, block);
+    for (int lane = 0; lane < block.count; ++lane) {
+      applied.add(block.gradient1[lane], lane_of(block.on_gradient1, lane));
+      applied.add(block.gradient2[lane], lane_of(block.on_gradient2, lane));
+      if (block.body >= 0) torque[block.body].add(lane, lane_of(block.torque_on_body, lane));
+      hinge_power += block.dissipated_power[lane];
+    }
   }
   for (std::size_t b = 0; b < bodies.size(); ++b) wrenches[b].torque += torque[b].total();
 }
@@ -89,12 +103,11 @@ void CableSystem::Impl::add_hinges() {
 // All contacts see the same state: they are found before any of them acts.
 void CableSystem::Impl::add_contacts(double dt) {
   contacted.clear();
-  contacts.find(coordinates, velocities, element_length, bodies, dt, contacted);
+  contacts.find(coordinates, velocities, batch, bodies, dt, contacted);
   if (cord_contacts) cord_contacts->find(coordinates, velocities, element_length, dt, contacted);
-  contacted.predict(velocities, inverse_mass, dt, [this](std::int32_t slot) { return slot_force(slot); });
+  contacted.predict(velocities, inverse_mass, dt, [this](auto blocks, double* rows) { sum_forces(blocks, rows); });
   contacts.add_forces(velocities, contacted, inverse_mass, bodies, dt, applied, wrenches);
   if (cord_contacts) cord_contacts->add_forces(velocities, contacted, inverse_mass, dt, applied);
-  loaded_slots.insert(loaded_slots.end(), contacted.slots().begin(), contacted.slots().end());
 }
 
 // Power that all contacts take out of the motion now, W.
@@ -114,27 +127,37 @@ void CableSystem::Impl::keep_forces_current(double dt) {
 void CableSystem::Impl::compute_forces(double dt) {
   update_ropes();
   compute_element_forces();
-  clear_applied();
-  add_hinges();
-  wrinkling.add_forces(coordinates, applied, loaded_slots);
+  applied.clear();
+  for (Wrench& wrench : wrenches) wrench = Wrench{};
+  add_hinges(dt);
+  wrinkling.add_forces(coordinates, applied);
   if (!ropes.empty()) {
     ropes.add_flow_forces(coordinates, velocities, last_dt, 0.5 * (last_dt + dt), applied);
-    loaded_slots.insert(loaded_slots.end(), ropes.massive_slots().begin(), ropes.massive_slots().end());
   }
   add_contacts(dt);
-  for (const std::int32_t slot : loaded_slots) loaded[slot / kBlockSize] = 1;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    SectorSum<Eigen::Vector3d> force(Eigen::Vector3d::Zero()), torque(Eigen::Vector3d::Zero());
-    for (const DynamicBody::Attachment& attachment : bodies[b].attachments()) {
-      const Wrench wrench = bodies[b].attachment_wrench(attachment, slot_force(attachment.slot));
-      force.add(attachment.slot, wrench.force);
-      torque.add(attachment.slot, wrench.torque);
-    }
-    wrenches[b] += Wrench{force.total(), torque.total()};
+    add_attachment_forces(b);
     wrenches[b].force += model.bodies[b].mass * model.gravity;
     wrenches[b].torque +=
         (bodies[b].centre() - bodies[b].rigid().position()).cross(model.bodies[b].mass * model.gravity);
   }
+}
+
+// What elements and applied forces do to a body through what is attached to it.
+void CableSystem::Impl::add_attachment_forces(std::size_t body) {
+  const std::span<const std::int32_t> blocks = attached_blocks[body];
+  attached_forces.resize(blocks.size() * kSlotRows * kBlockSize);
+  sum_forces(blocks, attached_forces.data());
+  SectorSum<Eigen::Vector3d> force(Eigen::Vector3d::Zero()), torque(Eigen::Vector3d::Zero());
+  std::size_t place = 0;
+  for (const DynamicBody::Attachment& attachment : bodies[body].attachments()) {
+    while (blocks[place] != attachment.slot / kBlockSize) ++place;
+    const double* row = attached_forces.data() + place * kSlotRows * kBlockSize + attachment.slot % kBlockSize;
+    const Wrench wrench = bodies[body].attachment_wrench(attachment, {row[0], row[kBlockSize], row[2 * kBlockSize]});
+    force.add(attachment.slot, wrench.force);
+    torque.add(attachment.slot, wrench.torque);
+  }
+  wrenches[body] += Wrench{force.total(), torque.total()};
 }
 
 // What an element touched in the last step, for messages.
@@ -145,19 +168,29 @@ std::string CableSystem::Impl::contact_of(std::int32_t element) const {
   return ", without contact,";
 }
 
-// v += kick M^-1 F, x += drift v with a diagonal mass.
-void CableSystem::Impl::kick_and_drift(SlotVectors& v, SlotVectors& x, const AlignedVector<double>& inverse_masses,
-                                       double kick, double drift) {
-  static const slot_kernel::Kernel kernel = choose_slot_kernel();
+// Of the forces only: neither masses nor state.
+slot_kernel::UpdateView CableSystem::Impl::forces_view() {
   slot_kernel::UpdateView view{};
   assembly.describe(view);
   view.element_forces = element_forces.data();
+  view.applied = applied.rows();
+  view.loaded = applied.loaded();
+  return view;
+}
+
+void CableSystem::Impl::sum_forces(std::span<const std::int32_t> slot_blocks, double* rows) {
+  slot_kernels().sum_forces(forces_view(), slot_blocks.data(), slot_blocks.size(), rows);
+}
+
+// v += kick M^-1 F, x += drift v with a diagonal mass.
+void CableSystem::Impl::kick_and_drift(SlotVectors& v, SlotVectors& x, const AlignedVector<double>& inverse_masses,
+                                       double kick, double drift) {
+  slot_kernel::UpdateView view = forces_view();
   view.inverse_mass = inverse_masses.data();
-  view.applied = applied.arrays();
-  view.loaded = loaded.data();
-  view.coordinates = x.arrays();
-  view.velocities = v.arrays();
-  for_chunks(assembly.block_count(), [&](int, int first, int last) { kernel(view, first, last, kick, drift); });
+  view.coordinates = x.data();
+  view.velocities = v.data();
+  divide_among_threads(assembly.block_count(), 4 * kChunk,
+                       [&](int first, int last) { slot_kernels().update(view, first, last, kick, drift); });
 }
 
 // The same with the evaluation's mass. With the consistent one the forces are first collected: they are what a kick

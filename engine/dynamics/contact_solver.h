@@ -17,6 +17,8 @@
 #include "engine/contact/broad_phase.h"
 #include "engine/contact/force_law.h"
 #include "engine/contact/surface_tracker.h"
+#include "engine/dynamics/applied_forces.h"
+#include "engine/dynamics/contact_kernel.h"
 #include "engine/dynamics/contacted_slots.h"
 #include "engine/dynamics/dynamic_body.h"
 #include "engine/dynamics/element_curve.h"
@@ -33,16 +35,16 @@ class ContactSolver {
   void forget_candidates();
   void set_friction(double coefficient) { settings_.friction = coefficient; }
 
-  // Finds the contacts at this state and enters them in `contacted`. `element_length`: current material length by
-  // element (m). `dt` (s): step over which the forces will act.
-  void find(const SlotVectors& coordinates, const SlotVectors& velocities, const std::vector<double>& element_length,
+  // Finds the contacts at this state and enters them in `contacted`. `batch`: the model's elements with their present
+  // lengths. `dt` (s): step over which the forces will act.
+  void find(const SlotVectors& coordinates, const SlotVectors& velocities, const ElementBatch& batch,
             const std::vector<DynamicBody>& bodies, double dt, ContactedSlots& contacted);
 
   // Adds the forces of the contacts found on slots to `applied` and on bodies to `wrenches` (by body, about the dynamic
   // body's centre of mass). Contact meets the velocities that `contacted` predicts, so that a cord at rest presses with
   // just what loads it.
   void add_forces(const SlotVectors& velocities, const ContactedSlots& contacted, std::span<const double> inverse_mass,
-                  const std::vector<DynamicBody>& bodies, double dt, SlotVectors& applied,
+                  const std::vector<DynamicBody>& bodies, double dt, AppliedForces& applied,
                   std::vector<Wrench>& wrenches);
 
   // Power that the contacts take out of the motion at these velocities (W); positive when they dissipate.
@@ -56,71 +58,66 @@ class ContactSolver {
   double deepest_penetration() const { return deepest_penetration_; }
 
  private:
-  struct Sample {  // shape functions at one contact point for unit length
-    double position1, gradient1, position2, gradient2;
-
-    // Of the slots of an element of this length (m).
-    ElementWeights weights(double length) const {
-      return {position1, length * gradient1, position2, length * gradient2};
-    }
-  };
-  struct Pair {           // an element and a body
-    double stiffness;     // K of the materials, N/m^1.5
-    double mass;          // m_eff, kg
-    double law_step = 0;  // s, for which `law` holds
-    NormalLaw law{};
-  };
-  struct Contact {
-    std::int32_t element, body;
-    ElementSlots slot;
-    ElementWeights weight;
-    Eigen::Vector3d point;   // m, on the cable's axis: where the force acts on both, so that their moments balance
-    Eigen::Vector3d normal;  // outward from the body
-    double penetration;      // m
-    Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  // m/s, of the cable relative to the body, before the step
-    Eigen::Vector3d force = Eigen::Vector3d::Zero();     // N, on the cable
+  struct Pairs {                   // the elements of a block and a body
+    double stiffness[kBlockSize];  // K of the materials, N/m^1.5
+    double mass[kBlockSize];       // m_eff, kg
+    double law_step = 0;           // s, for which the law holds
+    NormalLaw law[kBlockSize];
   };
   struct BodySums {
     SectorSum<Eigen::Vector3d> force, torque;  // N, N m
   };
-  void survey(const SlotVectors& coordinates, const SlotVectors& velocities, const std::vector<double>& element_length,
+  // What concerns one body.
+  struct Partner {
+    double bounding_radius;  // m
+    bool is_sphere;
+    SurfaceTracker tracker;               // its points: by element, sample
+    std::vector<std::uint8_t> touchable;  // by block of elements: a bit for each lane
+    std::vector<double> due;              // by block: value of approach_ at which it may touch, m
+    std::vector<std::int32_t> pairs;      // by block: in pairs_, or -1
+    std::vector<std::int32_t> near;       // blocks that may touch it before the next survey, ascending
+    std::size_t first = 0, last = 0;      // in contacts_
+    int contacts = 0;
+  };
+  void survey(const SlotVectors& coordinates, const SlotVectors& velocities, const ElementBatch& batch,
               const std::vector<DynamicBody>& bodies, double dt);
+  double fastest(const SlotVectors& velocities, const std::vector<DynamicBody>& bodies) const;
   // False when the state is lost: then there is nothing to look for.
-  bool update_broad_phase(const SlotVectors& coordinates, const std::vector<double>& element_length,
+  bool update_broad_phase(const SlotVectors& coordinates, const ElementBatch& batch,
                           const std::vector<DynamicBody>& bodies);
-  void find_contacts(const SlotVectors& coordinates, const std::vector<double>& element_length,
-                     const std::vector<DynamicBody>& bodies);
-  // Least distance (m) of the element's contact points from the body's surface, less the cable's radius; a lower bound
-  // of it where that is more than `reach`.
-  double clearance(const SlotVectors& coordinates, double length, std::int32_t element, std::int32_t body,
-                   const DynamicBody& dynamic, double reach);
-  Pair make_pair(std::int32_t element, std::int32_t body) const;
-  const NormalLaw& law(const Contact& contact, double dt);
-  void set_force(Contact& contact, const SlotVectors& velocities, const ContactedSlots& contacted,
-                 std::span<const double> inverse_mass, const DynamicBody& body, double dt);
-  Eigen::Vector3d relative_velocity(const Contact& contact, const SlotVectors& velocities,
-                                    const DynamicBody& body) const;
+  void update_near(std::int32_t body, double margin, const SlotVectors& coordinates, const ElementBatch& batch,
+                   const DynamicBody& dynamic);
+  // Least distance (m) of a block's contact points from the body's surface, less the cables' radius; a lower bound of
+  // it where that is more than `margin`. Calls touch(element, lane, sample, point, nearest surface point) where it is
+  // negative.
+  template <typename Touch>
+  double clearance(std::int32_t block, std::int32_t body, double margin, const SlotVectors& coordinates,
+                   const ElementBatch& batch, const DynamicBody& dynamic, const Touch& touch);
+  void find_contacts(std::int32_t body, const SlotVectors& coordinates, const ElementBatch& batch,
+                     const DynamicBody& dynamic, double dt);
+  void add_contact(std::int32_t body, const ElementBlock& block, std::int32_t element, std::size_t sample,
+                   const Eigen::Vector3d& point, const Eigen::Vector3d& normal, double penetration,
+                   const NormalLaw& law);
+  Pairs make_pairs(std::int32_t block, std::int32_t body) const;
+  const NormalLaw* laws(std::int32_t block, std::int32_t body, double dt);
+  template <typename Function>
+  void for_each_contact(const Function& function) const;
 
   const Model& model_;
   SlotLayout layout_;
   ContactSettings settings_;
-  std::vector<Sample> samples_;
-  std::vector<ElementSlots> slots_;                         // by element
-  std::vector<double> radius_;                              // by element
-  double damping_;                                          // alpha of force_law.h
-  std::vector<std::vector<Pair>> pairs_;                    // by body, of the elements that have touched it
-  std::vector<std::vector<std::int32_t>> pair_of_element_;  // by body, element: in pairs_, or -1
-  std::vector<std::vector<std::uint8_t>> excluded_;         // by body, element: attached to it
+  std::vector<contact_kernel::Sample> samples_;
+  std::vector<double> radius_;    // by element, m
+  std::vector<double> thickest_;  // by block of elements, m
+  double damping_;                // alpha of force_law.h
+  std::vector<Pairs> pairs_;      // that have touched
   BroadPhase broad_phase_;
-  std::vector<SurfaceTracker> trackers_;         // by body; its points: by element, sample
-  std::vector<std::vector<std::int32_t>> near_;  // by body: elements that may touch it before the next survey
+  std::vector<Partner> partners_;  // by body
   // No element can come nearer to a body than approach_ grows: it is tested when that has grown by its last clearance.
   double approach_ = 0, approach_per_step_ = 0;  // m
-  std::vector<std::vector<double>> due_;         // by body, element: value of approach_ at which it may touch, m
-  std::vector<Contact> contacts_;
-  std::vector<int> contacts_on_body_;
+  AlignedVector<double> points_;                 // of one block
+  AlignedVector<ContactBlock> contacts_;         // by body
   int steps_to_survey_ = 0;
-  std::vector<BodySums> sums_;  // by body; empty without contacts
   std::vector<Eigen::Vector3d> body_force_;
   double deepest_penetration_ = 0;
 };

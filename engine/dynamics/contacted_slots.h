@@ -7,6 +7,8 @@
 // contact's inverse mass counts every contact point on its nodes, w = sum_i |S_i| (sum_c |S_i,c|)/m_i, the row sum of
 // the contacts' common inverse mass matrix. No step can then push a node beyond what a single contact would (mass
 // splitting: Tonge, Benevolenski & Voroshilov 2012, doi:10.1145/2185520.2185601).
+//
+// Few slots are touched, mostly with their whole block (the eight sectors): only their blocks are kept.
 
 #include <cmath>
 #include <span>
@@ -19,42 +21,75 @@ namespace netpocket {
 
 class ContactedSlots {
  public:
-  explicit ContactedSlots(std::int32_t slots)
-      : shared_weight_(static_cast<std::size_t>(slots), 0.0), predicted_(slots) {}
+  explicit ContactedSlots(std::int32_t slots) : place_(static_cast<std::size_t>(slots) / kBlockSize, -1) {}
 
   // Begins a step.
   void clear() {
-    for (const std::int32_t slot : slots_) shared_weight_[slot] = 0;
-    slots_.clear();
+    for (const std::int32_t block : blocks_) place_[static_cast<std::size_t>(block)] = -1;
+    blocks_.clear();
+    shared_weight_.clear();
   }
-  // A contact acts on `slot` with this weight.
-  void share(std::int32_t slot, double weight) {
-    if (shared_weight_[slot] == 0) slots_.push_back(slot);
-    shared_weight_[slot] += std::abs(weight);
+  // A contact acts on `slot` with this weight. Returns the place of the slot's block among those touched.
+  std::int32_t share(std::int32_t slot, double weight) {
+    const auto s = static_cast<std::uint32_t>(slot);
+    std::int32_t& place = place_[s / kBlockSize];
+    if (place < 0) {
+      place = static_cast<std::int32_t>(blocks_.size());
+      blocks_.push_back(static_cast<std::int32_t>(s / kBlockSize));
+      shared_weight_.resize(shared_weight_.size() + kBlockSize, 0.0);
+    }
+    shared_weight_[static_cast<std::size_t>(place) * kBlockSize + s % kBlockSize] += std::abs(weight);
+    return place;
   }
-  const std::vector<std::int32_t>& slots() const { return slots_; }
+  // By place of a block: rows x, y, z of predicted velocities, and the sums of weights.
+  const double* predicted_rows() const { return predicted_.data(); }
+  const double* shared_weights() const { return shared_weight_.data(); }
 
-  // Velocities after a step of `dt` (s) under `force(slot)`, which is everything but contact.
-  template <typename Force>
-  void predict(const SlotVectors& velocities, std::span<const double> inverse_mass, double dt, const Force& force) {
-    for (const std::int32_t slot : slots_) {
-      predicted_.set(slot, velocities.get(slot) + (dt * inverse_mass[slot]) * force(slot));
+  // Velocities after a step of `dt` (s) under everything but contact: `sum_forces(blocks, rows)` fills the rows of
+  // blocks of slots with forces.
+  template <typename Function>
+  void predict(const SlotVectors& velocities, std::span<const double> inverse_mass, double dt,
+               const Function& sum_forces) {
+    if (blocks_.empty()) return;
+    predicted_.resize(blocks_.size() * kRows);
+    sum_forces(std::span<const std::int32_t>(blocks_), predicted_.data());
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+      const auto block = static_cast<std::size_t>(blocks_[i]);
+      const double* velocity = velocities.rows().first + block * kRows;
+      const double* inverse = inverse_mass.data() + block * kBlockSize;
+      double* row = predicted_.data() + i * kRows;
+      for (std::size_t k = 0; k < kRows; ++k) row[k] = velocity[k] + (dt * inverse[k % kBlockSize]) * row[k];
     }
   }
-  const SlotVectors& predicted() const { return predicted_; }
+  // The predicted velocity of a slot that is touched.
+  Eigen::Vector3d get(std::int32_t slot) const {
+    const double* row = predicted_.data() + place(slot, kRows);
+    return {row[0], row[kBlockSize], row[2 * kBlockSize]};
+  }
 
   // A contact's part of the slots' inverse mass, 1/kg.
   double inverse_mass(const ElementSlots& slot, const ElementWeights& weight,
                       std::span<const double> inverse_mass) const {
     double sum = 0;
-    for (std::size_t i = 0; i < 4; ++i) sum += std::abs(weight[i]) * shared_weight_[slot[i]] * inverse_mass[slot[i]];
+    for (std::size_t i = 0; i < 4; ++i) {
+      sum += std::abs(weight[i]) * shared_weight_[place(slot[i], kBlockSize)] * inverse_mass[slot[i]];
+    }
     return sum;
   }
 
  private:
-  std::vector<double> shared_weight_;  // by slot, sum of contact weights
-  SlotVectors predicted_;
-  std::vector<std::int32_t> slots_;
+  static constexpr std::size_t kRows = kSlotRows * kBlockSize;
+
+  // Of the slot's first value in rows of which a block has `stride`.
+  std::size_t place(std::int32_t slot, std::size_t stride) const {
+    const auto s = static_cast<std::uint32_t>(slot);
+    return static_cast<std::size_t>(place_[s / kBlockSize]) * stride + s % kBlockSize;
+  }
+
+  std::vector<std::int32_t> place_;    // by block of slots: in the following, or -1
+  std::vector<std::int32_t> blocks_;   // that are touched
+  std::vector<double> shared_weight_;  // sum of contact weights
+  AlignedVector<double> predicted_;    // rows x, y, z
 };
 
 }  // namespace netpocket

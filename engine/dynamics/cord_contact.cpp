@@ -153,7 +153,8 @@ void CordContact::test(const NearSegments& near, const SlotVectors& coordinates,
   contacts_.push_back(contact);
 }
 
-CordContact::Velocities CordContact::relative_velocity(const Contact& contact, const SlotVectors& velocities) const {
+template <typename Vectors>
+CordContact::Velocities CordContact::relative_velocity(const Contact& contact, const Vectors& velocities) const {
   const auto& [a, b] = contact.side;
   return {combine(velocities, a.slot, a.point) - combine(velocities, b.slot, b.point),
           {combine(velocities, a.slot, difference(a.end[0], a.end[1])),
@@ -234,7 +235,7 @@ void CordContact::set_forces(Contact& contact, const SlotVectors& velocities, co
   const double w =
       contacted.inverse_mass(a.slot, a.point, inverse_mass) + contacted.inverse_mass(b.slot, b.point, inverse_mass);
   if (!(w > 0)) return;
-  const Velocities after = relative_velocity(contact, contacted.predicted());
+  const Velocities after = relative_velocity(contact, contacted);
   const double before_speed = symmetric_dot(relative_velocity(contact, velocities).point, contact.normal);
   const double after_speed = symmetric_dot(after.point, contact.normal);
   // The effective mass of the law is what moves in the discrete model.
@@ -259,7 +260,7 @@ void CordContact::set_forces(Contact& contact, const SlotVectors& velocities, co
 }
 
 void CordContact::add_forces(const SlotVectors& velocities, const ContactedSlots& contacted,
-                             std::span<const double> inverse_mass, double dt, SlotVectors& applied) {
+                             std::span<const double> inverse_mass, double dt, AppliedForces& applied) {
   if (contacts_.empty()) return;
   for (Contact& contact : contacts_) set_forces(contact, velocities, contacted, inverse_mass, dt);
   for_each_corner([&](const Side& side, std::size_t corner) {

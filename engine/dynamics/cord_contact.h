@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "engine/contact/force_law.h"
+#include "engine/dynamics/applied_forces.h"
 #include "engine/dynamics/contacted_slots.h"
 #include "engine/dynamics/cord_pairs.h"
 #include "engine/dynamics/cord_polyline.h"
@@ -48,7 +49,7 @@ class CordContact {
 
   // Adds the forces of the contacts found to `applied`. Contact meets the velocities that `contacted` predicts.
   void add_forces(const SlotVectors& velocities, const ContactedSlots& contacted, std::span<const double> inverse_mass,
-                  double dt, SlotVectors& applied);
+                  double dt, AppliedForces& applied);
 
   // Power that the contacts take out of the motion at these velocities (W); positive when they dissipate.
   double dissipated_power(const SlotVectors& velocities) const;
@@ -90,7 +91,8 @@ class CordContact {
             double dt);
   Side make_side(std::int32_t element, std::int32_t segment, double fraction, double length) const;
   double material_stiffness(std::int32_t first, std::int32_t second) const;
-  Velocities relative_velocity(const Contact& contact, const SlotVectors& velocities) const;
+  template <typename Vectors>
+  Velocities relative_velocity(const Contact& contact, const Vectors& velocities) const;
   void set_forces(Contact& contact, const SlotVectors& velocities, const ContactedSlots& contacted,
                   std::span<const double> inverse_mass, double dt) const;
   std::array<double, 2> friction(const Contact& contact, const Velocities& velocity, const ContactedSlots& contacted,

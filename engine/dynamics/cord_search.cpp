@@ -6,6 +6,7 @@
 
 #include "engine/bodies/symmetric_algebra.h"
 #include "engine/dynamics/element_curve.h"
+#include "engine/dynamics/survey_interval.h"
 
 namespace netpocket {
 namespace {
@@ -13,9 +14,10 @@ namespace {
 using Eigen::AlignedBox3d;
 using Eigen::Vector3d;
 
-// Most steps between two surveys of what is near, and the farthest (m) that anything may travel between them.
-constexpr int kLongestSurveyInterval = 16;
+// The farthest (m) that anything may travel between two surveys of what is near.
 constexpr double kLongestTravel = 0.05;
+// Candidates that are looked at only if the first of them is due.
+constexpr std::size_t kGroup = 64;
 // Clearance (m) below which capsules are tested at every step, besides what they may move until the next survey.
 constexpr double kNearMargin = 0.02;
 // The same in fine nets, where everything would be near: part of the broad phase's margin.
@@ -49,14 +51,15 @@ CordSearch::CordSearch(const Model& model, const CordPolyline& polyline, const C
       pairs_(pairs),
       node_count_(static_cast<std::int32_t>(model.nodes.size())),
       first_gradient_(SlotLayout{node_count_, 0}.gradient(0)),
-      quarter_length_(Eigen::ArrayXd::Zero(static_cast<Eigen::Index>(model.gradients.size()))),
+      gradient_count_(static_cast<std::int32_t>(model.gradients.size())),
       broad_phase_(static_cast<int>(model.elements.size()), broad_margin(model)),
       near_place_(model.elements.size(), -1) {
+  quarter_length_.setZero(kBlockSize, SlotLayout::padded(gradient_count_) / kBlockSize);
   for (std::size_t i = 0; i < model.elements.size(); ++i) {
     radius_.push_back(model.material_of(static_cast<std::int32_t>(i)).radius);
     const ModelElement& element = model.elements[i];
     for (const std::int32_t gradient : {element.gradient1, element.gradient2}) {
-      double& quarter = quarter_length_[gradient];
+      double& quarter = quarter_length_(gradient % kBlockSize, gradient / kBlockSize);
       quarter = std::max(quarter, 0.25 * element.length);
     }
   }
@@ -66,25 +69,26 @@ void CordSearch::forget() {
   steps_to_survey_ = 0;
   broad_phase_.advance(std::numeric_limits<double>::infinity());
   for (Candidate& candidate : candidates_) candidate.clear_until = 0;
+  std::ranges::fill(group_clear_until_, 0.0);
 }
 
 // Bound of the speed (m/s) of any point of a cord: |S_2| + |S_4| = L (1 - xi^2)/4.
 double CordSearch::fastest(const SlotVectors& velocities) const {
-  if (node_count_ == 0 || quarter_length_.size() == 0) return 0;
-  const auto gradients = static_cast<std::int32_t>(quarter_length_.size());
+  if (node_count_ == 0 || gradient_count_ == 0) return 0;
   const double node = velocities.squared_norms(0, node_count_).maxCoeff();
-  const double gradient = (quarter_length_.square() * velocities.squared_norms(first_gradient_, gradients)).maxCoeff();
+  const double gradient =
+      (quarter_length_.square() * velocities.squared_norms(first_gradient_, gradient_count_)).maxCoeff();
   return std::sqrt(node) + std::sqrt(gradient);
 }
 
 // Likewise, of the way (m) of any point since the last call.
 double CordSearch::take_way(const SlotVectors& coordinates) {
   double way = 0;
-  if (surveyed_.size() == coordinates.size() && node_count_ != 0 && quarter_length_.size() != 0) {
-    const auto gradients = static_cast<std::int32_t>(quarter_length_.size());
+  if (surveyed_.size() == coordinates.size() && node_count_ != 0 && gradient_count_ != 0) {
     const double node = coordinates.squared_distances(surveyed_, 0, node_count_).maxCoeff();
     const double gradient =
-        (quarter_length_.square() * coordinates.squared_distances(surveyed_, first_gradient_, gradients)).maxCoeff();
+        (quarter_length_.square() * coordinates.squared_distances(surveyed_, first_gradient_, gradient_count_))
+            .maxCoeff();
     way = std::sqrt(node) + std::sqrt(gradient);
   }
   surveyed_ = coordinates;
@@ -106,6 +110,7 @@ bool CordSearch::update_candidates(const SlotVectors& coordinates, const std::ve
     if (least_gap(coordinates, element_length, first, second) > broad_phase_.margin()) continue;
     candidates_.push_back({first, second, 0});
   }
+  group_clear_until_.assign((candidates_.size() + kGroup - 1) / kGroup, 0.0);
   return true;
 }
 
@@ -149,15 +154,20 @@ void CordSearch::add_near_segments(const SlotVectors& coordinates, const std::ve
   }
 }
 
+void CordSearch::look_at(Candidate& candidate, const SlotVectors& coordinates,
+                         const std::vector<double>& element_length, double reach) {
+  if (2 * (candidate.clear_until - travelled_) > reach) return;
+  const double gap = least_gap(coordinates, element_length, candidate.first, candidate.second);
+  candidate.clear_until = travelled_ + 0.5 * gap;
+  if (gap < reach) add_near_segments(coordinates, element_length, candidate, reach);
+}
+
 void CordSearch::survey(const SlotVectors& coordinates, const SlotVectors& velocities,
                         const std::vector<double>& element_length, double dt) {
   // Twice the present speed for what speeds up meanwhile.
   travel_per_step_ = 2 * fastest(velocities) * dt;
-  steps_to_survey_ = kLongestSurveyInterval;
-  const double longest_travel = std::min(kLongestTravel, BroadPhase::kLeastInHand * broad_phase_.margin());
-  if (travel_per_step_ * kLongestSurveyInterval > longest_travel) {
-    steps_to_survey_ = std::max(1, static_cast<int>(longest_travel / travel_per_step_));
-  }
+  steps_to_survey_ =
+      survey_interval(travel_per_step_, std::min(kLongestTravel, BroadPhase::kLeastInHand * broad_phase_.margin()));
   const double travel = travel_per_step_ * steps_to_survey_;
   const double way = take_way(coordinates);
   travelled_ += way;
@@ -177,11 +187,14 @@ void CordSearch::survey(const SlotVectors& coordinates, const SlotVectors& veloc
     broad_phase_.advance(travel);
   }
   const double reach = std::min(kNearMargin, kNearPart * broad_phase_.margin()) + 2 * travel;
-  for (Candidate& candidate : candidates_) {
-    if (2 * (candidate.clear_until - travelled_) > reach) continue;
-    const double gap = least_gap(coordinates, element_length, candidate.first, candidate.second);
-    candidate.clear_until = travelled_ + 0.5 * gap;
-    if (gap < reach) add_near_segments(coordinates, element_length, candidate, reach);
+  for (std::size_t group = 0; group < group_clear_until_.size(); ++group) {
+    if (2 * (group_clear_until_[group] - travelled_) > reach) continue;
+    double first = std::numeric_limits<double>::infinity();
+    for (std::size_t i = group * kGroup; i < std::min(candidates_.size(), (group + 1) * kGroup); ++i) {
+      look_at(candidates_[i], coordinates, element_length, reach);
+      first = std::min(first, candidates_[i].clear_until);
+    }
+    group_clear_until_[group] = first;
   }
   sort_sides();
 }

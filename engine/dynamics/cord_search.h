@@ -2,7 +2,7 @@
 // Looks for the places where cords may touch each other during the next steps.
 //
 // In three stages, each of which is asked again only when motion demands it: pairs of elements within a margin of each
-// other (broad_phase.h, seldom), those of them that are near (every 16 steps at most, each only when the way travelled
+// other (broad_phase.h, seldom), those of them that are near (every 16 steps or more, each only when the way travelled
 // since could have used up its clearance), and the pairs of capsules on near elements (tested at every step by the
 // caller). Nothing near costs nothing.
 //
@@ -57,6 +57,9 @@ class CordSearch {
   };
   void survey(const SlotVectors& coordinates, const SlotVectors& velocities, const std::vector<double>& element_length,
               double dt);
+  // Finds its near segments if it is due.
+  void look_at(Candidate& candidate, const SlotVectors& coordinates, const std::vector<double>& element_length,
+               double reach);
   double fastest(const SlotVectors& velocities) const;
   double take_way(const SlotVectors& coordinates);
   // False when the state is lost: then there is nothing to look for.
@@ -71,14 +74,15 @@ class CordSearch {
 
   const CordPolyline& polyline_;
   const CordPairs& pairs_;
-  std::int32_t node_count_, first_gradient_;
-  std::vector<double> radius_;     // m, by element
-  Eigen::ArrayXd quarter_length_;  // m, by gradient, of the longest element there
+  std::int32_t node_count_, first_gradient_, gradient_count_;
+  std::vector<double> radius_;                                       // m, by element
+  Eigen::Array<double, kBlockSize, Eigen::Dynamic> quarter_length_;  // m, by gradient, of the longest element there
   BroadPhase broad_phase_;
   std::vector<Candidate> candidates_;
-  SlotVectors surveyed_;     // coordinates at the last survey
-  double travelled_ = 0;     // m, bound of the way of any point up to then
-  double expected_way_ = 0;  // m, that the broad phase was told to expect since then
+  std::vector<double> group_clear_until_;  // by kGroup candidates: the least clear_until
+  SlotVectors surveyed_;                   // coordinates at the last survey
+  double travelled_ = 0;                   // m, bound of the way of any point up to then
+  double expected_way_ = 0;                // m, that the broad phase was told to expect since then
   double travel_per_step_ = 0;
   int steps_to_survey_ = 0;
   std::vector<std::int32_t> near_elements_;

@@ -63,8 +63,10 @@ class DynamicBody {
   double step(const Wrench& wrench, const BodyControl& control, double kick, double drift);
   // Kinetic energy (J) after half a kick from now.
   double kinetic_energy_after(const Wrench& wrench, const BodyControl& control, double half_kick) const;
-  // Upper bound of the speed change (1/kg) of a point at distance `arm` (m) by a unit impulse there.
-  double inverse_mass_bound(double arm) const { return inverse_mass_ + arm * arm * largest_inverse_inertia_; }
+  // A unit impulse at a distance r from the centre of mass changes the speed of its point by no more than
+  // inverse_mass() + r^2 largest_inverse_inertia(): 1/kg, 1/(kg m^2).
+  double inverse_mass() const { return inverse_mass_; }
+  double largest_inverse_inertia() const { return largest_inverse_inertia_; }
 
  private:
   DynamicBody(const RigidBody& rigid, const Eigen::Vector3d& centre);

@@ -14,8 +14,10 @@ using ElementSlots = std::array<std::int32_t, 4>;
 using ElementWeights = std::array<double, 4>;
 
 // The point (or its velocity) with these shape functions. In this order an element that is turned end for end gives the
-// same to the last bit.
-inline Eigen::Vector3d combine(const SlotVectors& vectors, const ElementSlots& slot, const ElementWeights& weight) {
+// same to the last bit. `vectors`: SlotVectors, or what has their get().
+template <typename Vectors>
+[[gnu::always_inline]] inline Eigen::Vector3d combine(const Vectors& vectors, const ElementSlots& slot,
+                                                      const ElementWeights& weight) {
   return (weight[0] * vectors.get(slot[0]) + weight[1] * vectors.get(slot[1])) +
          (weight[2] * vectors.get(slot[2]) + weight[3] * vectors.get(slot[3]));
 }

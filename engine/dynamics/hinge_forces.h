@@ -6,6 +6,8 @@
 // dtheta/dt) n, n = t x t2 / |t x t2|; as forces on the gradients, that is -moment/|g| along the unit vector in the
 // plane of the joint. Whatever moment the two gradients do not balance between them acts on the body, so the three
 // together exert none.
+//
+// The readable form; steps use hinge_kernel.h, which besides bounds the damping.
 
 #include <Eigen/Core>
 

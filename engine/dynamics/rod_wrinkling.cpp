@@ -35,14 +35,12 @@ std::optional<Softening> RodWrinkling::softening(const Rod& rod, const SlotVecto
   return full_ ? full_softening(rod.section, rod.length, q) : mean_strain_softening(rod.section, rod.length, q);
 }
 
-void RodWrinkling::add_forces(const SlotVectors& coordinates, SlotVectors& applied,
-                              std::vector<std::int32_t>& touched) const {
+void RodWrinkling::add_forces(const SlotVectors& coordinates, AppliedForces& applied) const {
   if (!can_wrinkle_) return;
   for (const Rod& rod : rods_) {
     const std::optional<Softening> softer = softening(rod, coordinates);
     if (!softer) continue;
     for (int corner = 0; corner < 4; ++corner) applied.add(rod.slot[corner], softer->force.col(corner));
-    touched.insert(touched.end(), rod.slot, rod.slot + 4);
   }
 }
 

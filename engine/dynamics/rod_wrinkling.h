@@ -8,7 +8,7 @@
 
 #include "engine/ancf/element_batch.h"
 #include "engine/ancf/inflated_element.h"
-#include "engine/dynamics/slot_state.h"
+#include "engine/dynamics/applied_forces.h"
 #include "engine/model/model.h"
 
 namespace netpocket {
@@ -21,8 +21,8 @@ class RodWrinkling {
   // Wrinkling moment (N m) from now on of the rods of a material.
   void set_moment(std::int32_t material, double moment);
 
-  // Adds to `applied` what the rods resist less than the linear law says; slots concerned are added to `touched`.
-  void add_forces(const SlotVectors& coordinates, SlotVectors& applied, std::vector<std::int32_t>& touched) const;
+  // Adds to `applied` what the rods resist less than the linear law says.
+  void add_forces(const SlotVectors& coordinates, AppliedForces& applied) const;
   // Energy less that of the linear law, <= 0. J
   double energy(const SlotVectors& coordinates) const;
 

@@ -105,7 +105,7 @@ void RopeDynamics::update(ElementBatch& batch, std::span<double> mass) {
 }
 
 void RopeDynamics::add_flow_forces(const SlotVectors& coordinates, const SlotVectors& velocities, double last_dt,
-                                   double kick, SlotVectors& applied) const {
+                                   double kick, AppliedForces& applied) const {
   for_each_element([&](const Rope& rope, std::size_t i) {
     if (!rope.moves()) return;
     const double mass = rope.section.mass_per_length;

@@ -15,6 +15,7 @@
 
 #include "engine/ancf/element_batch.h"
 #include "engine/ancf/variable_length.h"
+#include "engine/dynamics/applied_forces.h"
 #include "engine/dynamics/slot_state.h"
 #include "engine/model/model.h"
 
@@ -45,7 +46,7 @@ class RopeDynamics {
   // Adds the forces of the material's flow and of masses that change, for a kick of `kick` (s); the step before was
   // `last_dt` (s) long.
   void add_flow_forces(const SlotVectors& coordinates, const SlotVectors& velocities, double last_dt, double kick,
-                       SlotVectors& applied) const;
+                       AppliedForces& applied) const;
   // What the ropes' kinetic energy changes by from the previous step's motion to the present one at fixed coordinates
   // and velocities. J
   double energy_change(const SlotVectors& coordinates, const SlotVectors& velocities) const;

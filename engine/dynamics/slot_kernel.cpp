@@ -16,6 +16,12 @@ NETPOCKET_INLINE const double* row_at(const UpdateView& view, std::int32_t row) 
 NETPOCKET_INLINE void add_regular(const UpdateView& view, const SlotBlock& block, int part, Lanes3& force) {
   const BlockContribution* contribution = view.block_contributions + block.first;
   for (std::int32_t i = 0; i < block.count; ++i, ++contribution) {
+    if (part == 0) {
+      const double* later = row_at(view, contribution[kContributionsAhead].first_row);
+      __builtin_prefetch(later);
+      __builtin_prefetch(later + kBlock);
+      __builtin_prefetch(later + 2 * kBlock);
+    }
     const double* rows = row_at(view, contribution->first_row);
     const Lanes3 resisting = {load_rotated(rows, part, contribution->rotation),
                               load_rotated(rows + kBlock, part, contribution->rotation),
@@ -44,27 +50,47 @@ NETPOCKET_INLINE void move(double* coordinate, double* velocity, int part, const
   store(coordinate, part, load(coordinate, part) + drift * v);
 }
 
+NETPOCKET_INLINE Lanes3 force_on(const UpdateView& view, const SlotBlock& block, int part) {
+  Lanes3 force = {};
+  if (view.loaded[block.slot_block] != 0) {
+    const double* applied = view.applied.first + static_cast<std::ptrdiff_t>(block.slot_block) * (kSlotRows * kBlock);
+    force = {load(applied, part), load(applied + kBlock, part), load(applied + 2 * kBlock, part)};
+  }
+  if (block.regular) {
+    add_regular(view, block, part, force);
+  } else {
+    add_irregular(view, block, part, force);
+  }
+  return force;
+}
+
 }  // namespace
+
+void sum_forces(const UpdateView& view, const std::int32_t* slot_blocks, std::size_t count, double* forces) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const SlotBlock& block = view.blocks[view.place[slot_blocks[i]]];
+    for (int part = 0; part < kParts; ++part) {
+      const Lanes3 force = force_on(view, block, part);
+      store(forces, part, force.x);
+      store(forces + kBlock, part, force.y);
+      store(forces + 2 * kBlock, part, force.z);
+    }
+    forces += kSlotRows * kBlock;
+  }
+}
 
 void update(const UpdateView& view, int first, int last, double kick, double drift) {
   for (int i = first; i < last; ++i) {
-    const std::ptrdiff_t slot = static_cast<std::ptrdiff_t>(i) * kBlock;
     const SlotBlock& block = view.blocks[i];
+    const std::ptrdiff_t row = static_cast<std::ptrdiff_t>(block.slot_block) * (kSlotRows * kBlock);
+    double *x = view.coordinates + row, *v = view.velocities + row;
     for (int part = 0; part < kParts; ++part) {
-      Lanes3 force = {};
-      if (view.loaded[i] != 0) {
-        force = {load(view.applied.x + slot, part), load(view.applied.y + slot, part),
-                 load(view.applied.z + slot, part)};
-      }
-      if (block.regular) {
-        add_regular(view, block, part, force);
-      } else {
-        add_irregular(view, block, part, force);
-      }
-      const Lanes gain = broadcast(kick) * load(view.inverse_mass + slot, part);
-      move(view.coordinates.x + slot, view.velocities.x + slot, part, gain * force.x, broadcast(drift));
-      move(view.coordinates.y + slot, view.velocities.y + slot, part, gain * force.y, broadcast(drift));
-      move(view.coordinates.z + slot, view.velocities.z + slot, part, gain * force.z, broadcast(drift));
+      const Lanes3 force = force_on(view, block, part);
+      const Lanes gain =
+          broadcast(kick) * load(view.inverse_mass + static_cast<std::ptrdiff_t>(block.slot_block) * kBlock, part);
+      move(x, v, part, gain * force.x, broadcast(drift));
+      move(x + kBlock, v + kBlock, part, gain * force.y, broadcast(drift));
+      move(x + 2 * kBlock, v + 2 * kBlock, part, gain * force.z, broadcast(drift));
     }
   }
 }

@@ -1,6 +1,7 @@
 #pragma once
 // The instruction-set variants of the slot update: sum the element forces on each slot, kick, drift.
 
+#include <cstddef>
 #include <cstdint>
 
 #include "engine/ancf/element_batch.h"
@@ -21,6 +22,9 @@ constexpr std::int32_t first_force_row(std::int32_t element_block, Corner corner
   return element_block * kForceRows + kRow[static_cast<int>(corner)];
 }
 
+// Forces are fetched ahead of their use: this many entries stand behind the last contribution, too.
+inline constexpr int kContributionsAhead = 8;
+
 // One element's force on one slot.
 struct LaneContribution {
   std::int32_t element_block;
@@ -31,6 +35,7 @@ struct LaneContribution {
 
 // Contributions to eight consecutive slots, in the order in which they are summed.
 struct SlotBlock {
+  std::int32_t slot_block = 0;  // the slots are slot_block * 8 to slot_block * 8 + 7
   std::int32_t first = 0;
   std::int32_t count = 0;
   bool regular = false;  // BlockContribution or LaneContribution
@@ -38,26 +43,33 @@ struct SlotBlock {
 
 struct UpdateView {
   const SlotBlock* blocks;
+  const std::int32_t* place;  // in `blocks`, by block of slots
   const BlockContribution* block_contributions;
   const LaneContribution* lane_contributions;
   const double* element_forces;
   const double* inverse_mass;  // 1/kg (positions), 1/(kg m^2) (gradients); 0: does not move by itself
-  SlotArrays applied;          // N or N m: everything but element forces
-  const std::uint8_t* loaded;  // by block: 0 where `applied` is zero, so that it need not be read
-  SlotArrays coordinates;
-  SlotArrays velocities;
+  SlotRows applied;            // N or N m: everything but element forces
+  const std::uint8_t* loaded;  // by block of slots: 0 where `applied` is zero, so that it need not be read
+  double* coordinates;         // SlotRows
+  double* velocities;
 };
 
+// v += kick M^-1 F, x += drift v on view.blocks [first, last).
 using Kernel = void (*)(const UpdateView& view, int first, int last, double kick, double drift);
+// Sums all forces on each of `count` blocks of slots into three rows of `forces` (64-byte aligned).
+using SumKernel = void (*)(const UpdateView& view, const std::int32_t* slot_blocks, std::size_t count, double* forces);
 
 namespace baseline {
 void update(const UpdateView& view, int first, int last, double kick, double drift);
-}
+void sum_forces(const UpdateView& view, const std::int32_t* slot_blocks, std::size_t count, double* forces);
+}  // namespace baseline
 namespace avx2 {
 void update(const UpdateView& view, int first, int last, double kick, double drift);
-}
+void sum_forces(const UpdateView& view, const std::int32_t* slot_blocks, std::size_t count, double* forces);
+}  // namespace avx2
 namespace avx512 {
 void update(const UpdateView& view, int first, int last, double kick, double drift);
-}
+void sum_forces(const UpdateView& view, const std::int32_t* slot_blocks, std::size_t count, double* forces);
+}  // namespace avx512
 
 }  // namespace netpocket::slot_kernel

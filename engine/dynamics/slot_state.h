@@ -11,47 +11,69 @@
 
 namespace netpocket {
 
-// One vector per slot.
+// One vector per slot, in blocks of eight.
 class SlotVectors {
  public:
-  explicit SlotVectors(std::int32_t slots = 0) : x_(slots, 0.0), y_(slots, 0.0), z_(slots, 0.0) {}
+  explicit SlotVectors(std::int32_t slots = 0) : rows_(static_cast<std::size_t>(kBlockRows) * blocks_of(slots), 0.0) {}
 
-  Eigen::Vector3d get(std::int32_t slot) const { return {x_[slot], y_[slot], z_[slot]}; }
+  Eigen::Vector3d get(std::int32_t slot) const {
+    const double* row = rows_.data() + place(slot);
+    return {row[0], row[kBlockSize], row[2 * kBlockSize]};
+  }
   void set(std::int32_t slot, const Eigen::Vector3d& value) {
-    x_[slot] = value.x();
-    y_[slot] = value.y();
-    z_[slot] = value.z();
+    double* row = rows_.data() + place(slot);
+    row[0] = value.x();
+    row[kBlockSize] = value.y();
+    row[2 * kBlockSize] = value.z();
   }
   void add(std::int32_t slot, const Eigen::Vector3d& value) {
-    x_[slot] += value.x();
-    y_[slot] += value.y();
-    z_[slot] += value.z();
+    double* row = rows_.data() + place(slot);
+    row[0] += value.x();
+    row[kBlockSize] += value.y();
+    row[2 * kBlockSize] += value.z();
   }
-  void set_zero() {
-    for (auto* component : {&x_, &y_, &z_}) std::fill(component->begin(), component->end(), 0.0);
-  }
-  std::int32_t size() const { return static_cast<std::int32_t>(x_.size()); }
-  SlotArrays arrays() { return {x_.data(), y_.data(), z_.data()}; }
-  // The squared norms of `count` vectors from `first` on, as an expression.
+  void set_zero() { std::fill(rows_.begin(), rows_.end(), 0.0); }
+  // Whole blocks.
+  std::int32_t size() const { return static_cast<std::int32_t>(rows_.size() / kSlotRows); }
+  SlotRows rows() const { return {rows_.data()}; }
+  double* data() { return rows_.data(); }
+
+  // The squared norms of the vectors of the blocks that hold `count` slots from `first` on (first of its block), as an
+  // expression: a column for each block.
   auto squared_norms(std::int32_t first, std::int32_t count) const {
-    const auto component = [&](const AlignedVector<double>& values) {
-      return Eigen::Map<const Eigen::ArrayXd>(values.data() + first, count);
-    };
-    return (component(x_).square() + component(z_).square()) + component(y_).square();
+    const auto component = [&](int row) { return component_rows(first, count, row).square(); };
+    return (component(0) + component(2)) + component(1);
   }
   // Likewise of how far they are from those of `other`.
   auto squared_distances(const SlotVectors& other, std::int32_t first, std::int32_t count) const {
-    const auto component = [&](const AlignedVector<double>& now, const AlignedVector<double>& before) {
-      return (Eigen::Map<const Eigen::ArrayXd>(now.data() + first, count) -
-              Eigen::Map<const Eigen::ArrayXd>(before.data() + first, count))
-          .square();
+    const auto component = [&](int row) {
+      return (component_rows(first, count, row) - other.component_rows(first, count, row)).square();
     };
-    return (component(x_, other.x_) + component(z_, other.z_)) + component(y_, other.y_);
+    return (component(0) + component(2)) + component(1);
   }
 
  private:
-  AlignedVector<double> x_, y_, z_;
+  static constexpr int kBlockRows = kSlotRows * kBlockSize;
+  using Blocks = Eigen::Array<double, kBlockSize, Eigen::Dynamic>;
+
+  static std::int32_t blocks_of(std::int32_t slots) { return (slots + kBlockSize - 1) / kBlockSize; }
+  static std::ptrdiff_t place(std::int32_t slot) {
+    const auto s = static_cast<std::uint32_t>(slot);  // quicker to divide
+    return static_cast<std::ptrdiff_t>(s / kBlockSize) * kBlockRows + s % kBlockSize;
+  }
+  Eigen::Map<const Blocks, Eigen::Aligned64, Eigen::OuterStride<kBlockRows>> component_rows(std::int32_t first,
+                                                                                            std::int32_t count,
+                                                                                            int row) const {
+    return {rows_.data() + place(first) + static_cast<std::ptrdiff_t>(row) * kBlockSize, kBlockSize, blocks_of(count)};
+  }
+
+  AlignedVector<double> rows_;
 };
+
+// The vector of a lane in rows x, y, z of a block.
+inline Eigen::Vector3d lane_of(const double (&rows)[kSlotRows][kBlockSize], int lane) {
+  return {rows[0][lane], rows[1][lane], rows[2][lane]};
+}
 
 // Numbering of the slots of a model.
 struct SlotLayout {

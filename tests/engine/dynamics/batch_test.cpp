@@ -1,6 +1,7 @@
 // The vectorised kernels against the readable forms, and against each other to the last bit.
 
 #include <array>
+#include <numeric>
 #include <random>
 
 #include "engine/ancf/element_kernel.h"
@@ -70,7 +71,7 @@ struct Batch {
 AlignedVector<double> forces_of(const ElementBatch& batch, Batch& state, BatchPower* power = nullptr) {
   AlignedVector<double> rows(static_cast<std::size_t>(batch.block_count()) * kForceRows * kBlockSize, -1.0);
   const BatchPower total =
-      batch.forces(0, batch.block_count(), state.coordinates.arrays(), state.velocities.arrays(), rows.data());
+      batch.forces(0, batch.block_count(), state.coordinates.rows(), state.velocities.rows(), rows.data());
   if (power != nullptr) *power = total;
   return rows;
 }
@@ -244,8 +245,8 @@ TEST_F(VerificationBatch, InstructionSetsGiveTheSameBits) {
     const ElementBatch batch = state.build();
     const auto run = [&](element_kernel::Kernel kernel) {
       AlignedVector<double> rows(static_cast<std::size_t>(batch.block_count()) * kForceRows * kBlockSize);
-      const BatchPower power = kernel(batch.view(), 0, batch.block_count(), state.coordinates.arrays(),
-                                      state.velocities.arrays(), rows.data());
+      const BatchPower power =
+          kernel(batch.view(), 0, batch.block_count(), state.coordinates.rows(), state.velocities.rows(), rows.data());
       rows.insert(rows.end(), {power.dissipated, power.fed});
       return rows;
     };
@@ -267,11 +268,11 @@ std::vector<double> updated(Batch state, slot_kernel::Kernel kernel, const Assem
   assembly.describe(view);
   view.element_forces = element_forces.data();
   view.inverse_mass = inverse_mass.data();
-  view.applied = applied.arrays();
+  view.applied = applied.rows();
   const std::vector<std::uint8_t> loaded(static_cast<std::size_t>(assembly.block_count()), 1);
   view.loaded = loaded.data();
-  view.coordinates = state.coordinates.arrays();
-  view.velocities = state.velocities.arrays();
+  view.coordinates = state.coordinates.data();
+  view.velocities = state.velocities.data();
   kernel(view, 0, assembly.block_count(), 0.01, 0.02);
   std::vector<double> values;
   for (std::int32_t slot = 0; slot < state.coordinates.size(); ++slot) {
@@ -283,12 +284,28 @@ std::vector<double> updated(Batch state, slot_kernel::Kernel kernel, const Assem
   return values;
 }
 
+// Rows of the forces on all blocks of slots.
+AlignedVector<double> summed(const Assembly& assembly, const AlignedVector<double>& element_forces,
+                             SlotVectors& applied, slot_kernel::SumKernel kernel) {
+  const std::vector<std::uint8_t> loaded(static_cast<std::size_t>(assembly.block_count()), 1);
+  std::vector<std::int32_t> blocks(static_cast<std::size_t>(assembly.block_count()));
+  std::iota(blocks.begin(), blocks.end(), 0);
+  slot_kernel::UpdateView view{};
+  assembly.describe(view);
+  view.element_forces = element_forces.data();
+  view.applied = applied.rows();
+  view.loaded = loaded.data();
+  AlignedVector<double> rows(blocks.size() * kSlotRows * kBlockSize);
+  kernel(view, blocks.data(), blocks.size(), rows.data());
+  return rows;
+}
+
 TEST_F(VerificationBatch, SlotUpdateEqualsAPlainLoop) {
   for (Batch state : {regular_batch(1, false), irregular_batch(1, false)}) {
     const ElementBatch batch = state.build();
     const AlignedVector<double> element_forces = forces_of(batch, state);
     const std::int32_t slots = state.coordinates.size();
-    const Assembly assembly(state.elements, slots);
+    const Assembly assembly(state.elements, slots, 1);
     AlignedVector<double> inverse_mass(slots);
     SlotVectors applied(slots);
     for (std::int32_t slot = 0; slot < slots; ++slot) {
@@ -307,11 +324,14 @@ TEST_F(VerificationBatch, SlotUpdateEqualsAPlainLoop) {
       return updated(state, kernel, assembly, element_forces, inverse_mass, applied);
     };
     const std::vector<double> baseline = run(slot_kernel::baseline::update);
+    const auto sum = [&](slot_kernel::SumKernel kernel) { return summed(assembly, element_forces, applied, kernel); };
+    const AlignedVector<double> sums = sum(slot_kernel::baseline::sum_forces);
     double difference = 0, round_off = 0;
     for (std::int32_t slot = 0; slot < slots; ++slot) {
       const Eigen::Vector3d velocity = state.velocities.get(slot) + 0.01 * inverse_mass[slot] * force[slot];
       const Eigen::Vector3d coordinate = state.coordinates.get(slot) + 0.02 * velocity;
-      EXPECT_LT((force[slot] - applied.get(slot) - assembly.element_force(slot, element_forces.data())).norm(), 1e-9);
+      const double* row = sums.data() + slot / kBlockSize * kSlotRows * kBlockSize + slot % kBlockSize;
+      EXPECT_LT((force[slot] - Eigen::Vector3d(row[0], row[kBlockSize], row[2 * kBlockSize])).norm(), 1e-9);
       round_off = std::max(round_off, 1e-15 * (1 + 0.01 * force[slot].norm()));
       for (int axis = 0; axis < 3; ++axis) {
         difference = std::max(difference, std::abs(baseline[6 * slot + 2 * axis] - coordinate[axis]));
@@ -323,9 +343,11 @@ TEST_F(VerificationBatch, SlotUpdateEqualsAPlainLoop) {
                  "in units of 1e-15 of the largest change; only the order of summation differs");
     if (runs_avx2()) {
       EXPECT_EQ(run(slot_kernel::avx2::update), baseline);
+      EXPECT_EQ(sum(slot_kernel::avx2::sum_forces), sums);
     }
     if (runs_avx512()) {
       EXPECT_EQ(run(slot_kernel::avx512::update), baseline);
+      EXPECT_EQ(sum(slot_kernel::avx512::sum_forces), sums);
     }
   }
 }

@@ -70,7 +70,7 @@ double difference_to_reference(RandomElements& state) {
   }
   AlignedVector<double> rows(static_cast<std::size_t>(batch.block_count()) * kForceRows * kBlockSize, -1.0);
   const BatchPower power =
-      full.forces(batch, 0, batch.block_count(), state.coordinates.arrays(), state.velocities.arrays(), rows.data());
+      full.forces(batch, 0, batch.block_count(), state.coordinates.rows(), state.velocities.rows(), rows.data());
   double largest = 0, difference = 0, dissipated = 0, fed = 0;
   for (std::size_t i = 0; i < state.elements.size(); ++i) {
     const FullElement element(state.elements[i].section, state.spans[i]);
@@ -117,8 +117,8 @@ TEST_F(VerificationFullBatch, InstructionSetsGiveTheSameBits) {
     std::vector<full_kernel::StartRates> rates(batch.block_count());
     const auto run = [&](full_kernel::Kernel kernel) {
       AlignedVector<double> rows(static_cast<std::size_t>(batch.block_count()) * kForceRows * kBlockSize);
-      const BatchPower power = kernel(batch.view(), rates.data(), 0, batch.block_count(), state.coordinates.arrays(),
-                                      state.velocities.arrays(), rows.data());
+      const BatchPower power = kernel(batch.view(), rates.data(), 0, batch.block_count(), state.coordinates.rows(),
+                                      state.velocities.rows(), rows.data());
       rows.insert(rows.end(), {power.dissipated, power.fed});
       return rows;
     };

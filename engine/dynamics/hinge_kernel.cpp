@@ -1,0 +1,120 @@
+// Compiled once per instruction set, NETPOCKET_ISA_NAME being the variant's namespace. The formulas are those of
+// hinge_forces.h, in the same notation.
+
+#include "engine/dynamics/hinge_kernel.h"
+
+#include "engine/ancf/element_slots.h"
+#include "engine/ancf/lanes.h"
+
+namespace netpocket::hinge_kernel::NETPOCKET_ISA_NAME {
+namespace {
+
+using namespace lanes;
+
+// Columns of a matrix of each lane.
+struct Matrix {
+  Lanes3 first, second, third;
+};
+
+// As symmetric_product and symmetric_transposed_product.
+NETPOCKET_INLINE Lanes3 product(const Matrix& m, const Lanes3& v) {
+  return (v.x * m.first + v.z * m.third) + v.y * m.second;
+}
+NETPOCKET_INLINE Lanes3 transposed_product(const Matrix& m, const Lanes3& v) {
+  return {dot(m.first, v), dot(m.second, v), dot(m.third, v)};
+}
+
+NETPOCKET_INLINE Matrix broadcast_matrix(const double* m) {
+  return {{broadcast(m[0]), broadcast(m[1]), broadcast(m[2])},
+          {broadcast(m[3]), broadcast(m[4]), broadcast(m[5])},
+          {broadcast(m[6]), broadcast(m[7]), broadcast(m[8])}};
+}
+NETPOCKET_INLINE Matrix load_matrix(const double (*rows)[kBlock], int part) {
+  return {{load(rows[0], part), load(rows[1], part), load(rows[2], part)},
+          {load(rows[3], part), load(rows[4], part), load(rows[5], part)},
+          {load(rows[6], part), load(rows[7], part), load(rows[8], part)}};
+}
+
+NETPOCKET_INLINE Lanes3 gradient(const SlotRows& rows, const std::int32_t* slots, int part) {
+  std::ptrdiff_t place[kWidth];
+  for (int i = 0; i < kWidth; ++i) {
+    const std::ptrdiff_t slot = slots[part * kWidth + i];
+    place[i] = slot / kBlock * (kSlotRows * kBlock) + slot % kBlock;
+  }
+  return gather3(rows.first, place);
+}
+
+// A unit direction and its rate, from a gradient and its rate.
+struct Direction {
+  Lanes3 unit, rate;
+  Lanes magnitude;
+};
+NETPOCKET_INLINE Direction direction(const Lanes3& gradient, const Lanes3& gradient_rate) {
+  Direction d;
+  d.magnitude = square_root(dot(gradient, gradient));
+  const Lanes inverse = broadcast(1.0) / d.magnitude;
+  d.unit = inverse * gradient;
+  d.rate = inverse * (gradient_rate - dot(d.unit, gradient_rate) * d.unit);
+  return d;
+}
+
+// Change of a direction's rate by a unit moment, 1/(kg m^2).
+NETPOCKET_INLINE Lanes inverse_inertia(const double* inverse_mass, const std::int32_t* slots, int part,
+                                       const Lanes& magnitude) {
+  std::ptrdiff_t place[kWidth];
+  for (int i = 0; i < kWidth; ++i) place[i] = slots[part * kWidth + i];
+  return gather(inverse_mass, place) / (magnitude * magnitude);
+}
+
+NETPOCKET_INLINE Lanes angle_of(const Lanes& sine, const Lanes& cosine) {
+  Lanes angle;
+  for (int i = 0; i < kWidth; ++i) angle[i] = __builtin_atan2(sine[i], cosine[i]);
+  return angle;
+}
+
+}  // namespace
+
+void forces(const SlotRows& coordinates, const SlotRows& velocities, const double* inverse_mass, double dt,
+            const Axes& axes, HingeBlock& block) {
+  const Matrix to_world = broadcast_matrix(axes.rotation);
+  const Lanes3 spin = {broadcast(axes.angular_velocity[0]), broadcast(axes.angular_velocity[1]),
+                       broadcast(axes.angular_velocity[2])};
+  for (int part = 0; part < kParts; ++part) {
+    const Matrix rest = load_matrix(block.rest_rotation, part);
+    const Lanes3 g1 = gradient(coordinates, block.gradient1, part), g2 = gradient(coordinates, block.gradient2, part);
+    const Direction d1 = direction(g1, gradient(velocities, block.gradient1, part));
+    const Direction d2 = direction(g2, gradient(velocities, block.gradient2, part));
+    const Lanes3 t = product(to_world, product(rest, transposed_product(to_world, d1.unit)));
+    const Lanes3 t_rate =
+        product(to_world, product(rest, transposed_product(to_world, d1.rate - cross(spin, d1.unit)))) + cross(spin, t);
+
+    const Lanes cosine = dot(t, d2.unit);
+    const Lanes3 across = cross(t, d2.unit);
+    const Lanes sine = square_root(dot(across, across));
+    const Lanes angle = angle_of(sine, cosine);
+    const Lanes3 towards2 = t - cosine * d2.unit, towards1 = d2.unit - cosine * t;
+    const Lanes zero = broadcast(0.0), one = broadcast(1.0);
+    const Lanes inverse_sine = one / (sine < broadcast(1e-12) ? one : sine);
+    const Lanes closing = -(dot(towards2, d2.rate) + dot(towards1, t_rate)) * inverse_sine;
+    const Lanes angle_rate = sine < broadcast(1e-12) ? zero : closing;
+    const Lanes turning = inverse_inertia(inverse_mass, block.gradient1, part, d1.magnitude) +
+                          inverse_inertia(inverse_mass, block.gradient2, part, d2.magnitude);
+    const Lanes stopping = one / (turning * broadcast(dt));
+    const Lanes own_damping = load(block.damping, part);
+    const Lanes damping = own_damping < stopping ? own_damping : stopping;
+    const Lanes damping_moment = damping * angle_rate;
+    const Lanes ratio = sine < broadcast(1e-8) ? one : angle * inverse_sine;
+    const Lanes factor = load(block.stiffness, part) * ratio + damping_moment * inverse_sine;
+
+    const Lanes3 force2 = (factor / d2.magnitude) * towards2;
+    const Lanes3 force1 =
+        (factor / d1.magnitude) * product(to_world, transposed_product(rest, transposed_product(to_world, towards1)));
+    const Lanes3 torque = cross(g1, force1) + cross(g2, force2);
+    store3(block.on_gradient1[0], 0, part, force1);
+    store3(block.on_gradient2[0], 0, part, force2);
+    store3(block.torque_on_body[0], 0, part, {-torque.x, -torque.y, -torque.z});
+    store(block.dissipated_power, part, damping_moment * angle_rate);
+  }
+}
+
+}  // namespace netpocket::hinge_kernel::NETPOCKET_ISA_NAME

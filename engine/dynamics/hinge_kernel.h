@@ -1,0 +1,49 @@
+#pragma once
+// The instruction-set variants of hinge_forces.h for eight hinges at once, tested against it to round-off.
+
+#include <cstddef>
+#include <cstdint>
+
+#include "engine/ancf/element_batch.h"
+
+namespace netpocket {
+
+// Eight hinges whose plane is kept by one body. Rows, then lanes; vectors in world axes.
+struct alignas(64) HingeBlock {
+  double rest_rotation[9][kBlockSize];  // by columns, body axes
+  double stiffness[kBlockSize], damping[kBlockSize];
+
+  // Filled by the kernel.
+  double on_gradient1[3][kBlockSize], on_gradient2[3][kBlockSize];  // N m
+  double torque_on_body[3][kBlockSize];                             // N m
+  double dissipated_power[kBlockSize];                              // W
+
+  std::int32_t gradient1[kBlockSize], gradient2[kBlockSize];  // slots
+  std::int32_t body = -1;                                     // -1: world axes
+  std::int32_t count = 0;                                     // of hinges
+};
+
+namespace hinge_kernel {
+
+struct Axes {
+  double rotation[9];          // by columns, body axes to world axes
+  double angular_velocity[3];  // rad/s
+};
+
+// `inverse_mass` by slot, 1/(kg m^2). A damper never takes more than the angle's rate within the step `dt` (s): where a
+// gradient is short, as in a cord that folds up, its direction turns so easily that an explicit damper would drive it.
+using Kernel = void (*)(const SlotRows& coordinates, const SlotRows& velocities, const double* inverse_mass, double dt,
+                        const Axes& axes, HingeBlock& block);
+
+namespace baseline {
+void forces(const SlotRows&, const SlotRows&, const double*, double, const Axes&, HingeBlock&);
+}
+namespace avx2 {
+void forces(const SlotRows&, const SlotRows&, const double*, double, const Axes&, HingeBlock&);
+}
+namespace avx512 {
+void forces(const SlotRows&, const SlotRows&, const double*, double, const Axes&, HingeBlock&);
+}
+
+}  // namespace hinge_kernel
+}  // namespace netpocket

@@ -1,0 +1,240 @@
+// The kernels of contact and hinges against their readable forms, and the same bits in every instruction set.
+
+#include "engine/dynamics/contact_kernel.h"
+
+#include <algorithm>
+#include <random>
+
+#include "engine/bodies/symmetric_algebra.h"
+#include "engine/contact/force_law.h"
+#include "engine/dynamics/contacted_slots.h"
+#include "engine/dynamics/hinge_forces.h"
+#include "engine/dynamics/hinge_kernel.h"
+#include "engine/dynamics/slot_state.h"
+#include "tests/engine/dynamics/instruction_sets.h"
+#include "tests/engine/verification_table.h"
+
+namespace netpocket {
+namespace {
+
+using namespace test;
+using Eigen::Vector3d;
+
+class VerificationKernels : public VerificationTest {
+ public:
+  double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(generator_); }
+  Vector3d vector(double size) { return {uniform(-size, size), uniform(-size, size), uniform(-size, size)}; }
+
+ private:
+  std::mt19937 generator_{5};
+};
+
+constexpr int kSlots = 64;
+
+// Eight random contacts with a body that turns.
+struct Contacts {
+  ContactBlock block{};
+  contact_kernel::BodyMotion body{{0.1, -0.2, 0.3}, {0.4, 0.1, -0.2}, {0.3, -0.5, 0.2}, 1e-2, 3e-3, 8};
+  SlotVectors velocities{kSlots};
+  std::vector<double> inverse_mass;
+  ContactedSlots contacted{kSlots};
+  double friction = 0.3, friction_velocity = 1e-3, dt = 2e-4;
+
+  explicit Contacts(VerificationKernels& random) {
+    for (int slot = 0; slot < kSlots; ++slot) {
+      velocities.set(slot, random.vector(1));
+      inverse_mass.push_back(random.uniform(1, 100));
+    }
+    block.count = kBlockSize;
+    for (int lane = 0; lane < kBlockSize; ++lane) {
+      const Vector3d normal = random.vector(1).normalized(), point = random.vector(2);
+      for (int axis = 0; axis < 3; ++axis) {
+        block.normal[axis][lane] = normal[axis];
+        block.point[axis][lane] = point[axis];
+      }
+      block.penetration[lane] = lane == 3 ? 0 : random.uniform(0, 5e-3);
+      block.stiffness[lane] = random.uniform(1e4, lane % 2 == 0 ? 1e5 : 1e9);  // the step resolves some of them
+      block.damping[lane] = random.uniform(0, 100);
+      for (int corner = 0; corner < 4; ++corner) {
+        block.slot[corner][lane] = (lane * 7 + corner * 13) % kSlots;
+        block.weight[corner][lane] = random.uniform(-0.2, 1);
+        block.place[corner][lane] = contacted.share(block.slot[corner][lane], block.weight[corner][lane]);
+      }
+    }
+    contacted.predict(velocities, inverse_mass, dt, [&](auto blocks, double* rows) {
+      std::generate_n(rows, blocks.size() * kSlotRows * kBlockSize, [&] { return random.uniform(-20, 20); });
+    });
+  }
+
+  contact_kernel::ForceView view() const {
+    return {velocities.rows().first,
+            contacted.predicted_rows(),
+            contacted.shared_weights(),
+            inverse_mass.data(),
+            friction,
+            friction_velocity,
+            dt};
+  }
+  ElementSlots slot(int lane) const {
+    return {block.slot[0][lane], block.slot[1][lane], block.slot[2][lane], block.slot[3][lane]};
+  }
+  ElementWeights weight(int lane) const {
+    return {block.weight[0][lane], block.weight[1][lane], block.weight[2][lane], block.weight[3][lane]};
+  }
+  // By force_law.h.
+  Vector3d force(int lane, Vector3d& before) const {
+    const Vector3d point = lane_of(block.point, lane), normal = lane_of(block.normal, lane);
+    const Vector3d arm = point - Vector3d(body.position);
+    const Vector3d surface = Vector3d(body.velocity) + Vector3d(body.angular_velocity).cross(arm);
+    const double w = contacted.inverse_mass(slot(lane), weight(lane), inverse_mass) +
+                     body.contacts * (body.inverse_mass + arm.squaredNorm() * body.inverse_inertia);
+    before = combine(velocities, slot(lane), weight(lane)) - surface;
+    const Vector3d after = combine(contacted, slot(lane), weight(lane)) - surface;
+    const double push = stepped_normal_force({block.stiffness[lane], block.damping[lane]}, block.penetration[lane],
+                                             {before.dot(normal), after.dot(normal)}, w, dt);
+    const Vector3d sliding = after - after.dot(normal) * normal;
+    return push * normal - sliding_resistance(friction, friction_velocity, push, sliding.norm(), w, dt) * sliding;
+  }
+};
+
+TEST_F(VerificationKernels, ContactForces) {
+  const Contacts contacts(*this);
+  ContactBlock first{};
+  double difference = 0, largest = 0, power = 0;
+  for (int lane = 0; lane < kBlockSize; ++lane)
+    largest = std::max(largest, [&] {
+      Vector3d unused;
+      return contacts.force(lane, unused).norm();
+    }());
+  for_each_instruction_set<contact_kernel::ForceKernel>(
+      contact_kernel::baseline::forces, contact_kernel::avx2::forces, contact_kernel::avx512::forces,
+      [&](const std::string& name, contact_kernel::ForceKernel kernel) {
+        ContactBlock block = contacts.block;
+        kernel(contacts.view(), contacts.body, &block, 1);
+        if (name == "baseline") first = block;
+        for (int lane = 0; lane < kBlockSize; ++lane) {
+          Vector3d before;
+          const Vector3d force = contacts.force(lane, before);
+          difference = std::max(difference, (lane_of(block.force, lane) - force).norm());
+          EXPECT_LT((lane_of(block.velocity, lane) - before).norm(), 1e-14);
+          EXPECT_EQ(lane_of(block.force, lane), lane_of(first.force, lane)) << name;
+        }
+      });
+  EXPECT_GT(largest, 1);
+  expect_below("contact kernel against the force law, relative", difference / largest, 1e-13, "round-off");
+  for_each_instruction_set<contact_kernel::PowerKernel>(
+      contact_kernel::baseline::power, contact_kernel::avx2::power, contact_kernel::avx512::power,
+      [&](const std::string& name, contact_kernel::PowerKernel kernel) {
+        const double here = kernel(contacts.velocities.rows(), contacts.body, &first, 1);
+        if (name == "baseline") power = here;
+        EXPECT_EQ(here, power) << name;
+      });
+  double expected = 0;
+  for (int lane = 0; lane < kBlockSize; ++lane) {
+    expected -= lane_of(first.force, lane).dot(lane_of(first.velocity, lane));
+  }
+  EXPECT_NEAR(power, expected, 1e-12 * largest);
+}
+
+TEST_F(VerificationKernels, ContactPoints) {
+  SlotVectors coordinates(kSlots);
+  for (int slot = 0; slot < kSlots; ++slot) coordinates.set(slot, vector(3));
+  std::vector<BatchElement> elements;
+  for (int i = 0; i < kBlockSize; ++i) {
+    elements.push_back({{i, 16 + (i + 3) % 8, (5 * i + 40) % kSlots, 24 + i}, uniform(0.1, 1), CableSection{}});
+  }
+  const ElementBatch batch(elements);
+  const std::vector<contact_kernel::Sample> samples = {{0.7, 0.1, 0.3, -0.1}, {0.5, 0.125, 0.5, -0.125}};
+  const Vector3d centre(0.3, -0.2, 0.1);
+  AlignedVector<double> first;
+  double difference = 0;
+  for_each_instruction_set<contact_kernel::PointKernel>(
+      contact_kernel::baseline::points, contact_kernel::avx2::points, contact_kernel::avx512::points,
+      [&](const std::string& name, contact_kernel::PointKernel kernel) {
+        AlignedVector<double> rows(samples.size() * contact_kernel::kPointRows * kBlockSize);
+        const double nearest =
+            kernel(batch.block(0), samples.data(), samples.size(), coordinates.rows(), centre.data(), rows.data());
+        if (name == "baseline") first = rows;
+        EXPECT_EQ(rows, first) << name;
+        double least = 1e9;
+        for (std::size_t s = 0; s < samples.size(); ++s) {
+          for (int lane = 0; lane < kBlockSize; ++lane) {
+            const BatchElement& e = elements[static_cast<std::size_t>(lane)];
+            const Vector3d point = combine(coordinates, {e.slot[0], e.slot[1], e.slot[2], e.slot[3]},
+                                           {samples[s].position1, e.length * samples[s].gradient1, samples[s].position2,
+                                            e.length * samples[s].gradient2});
+            const double* row = rows.data() + s * contact_kernel::kPointRows * kBlockSize + lane;
+            difference = std::max(difference, (point - Vector3d(row[0], row[8], row[16])).norm());
+            EXPECT_NEAR(row[24], (point - centre).norm(), 1e-14);
+            least = std::min(least, row[24]);
+          }
+        }
+        EXPECT_EQ(nearest, least);
+      });
+  expect_below("points of elements by kernel, m", difference, 1e-14, "round-off");
+}
+
+TEST_F(VerificationKernels, Hinges) {
+  SlotVectors gradients(kSlots), rates(kSlots);
+  for (int slot = 0; slot < kSlots; ++slot) {
+    gradients.set(slot, vector(1));
+    rates.set(slot, vector(2));
+  }
+  const Eigen::Matrix3d axes = Eigen::AngleAxisd(0.7, vector(1).normalized()).toRotationMatrix();
+  const Vector3d spin = vector(1);
+  HingeBlock block;
+  std::vector<Hinge> hinges;
+  for (int lane = 0; lane < kBlockSize; ++lane) {
+    const Eigen::Matrix3d rest = Eigen::AngleAxisd(uniform(0, 1), vector(1).normalized()).toRotationMatrix();
+    hinges.push_back({lane, 63 - 5 * lane, rest, 0, uniform(1, 100), uniform(0, 3)});
+    // One at its angle of rest, where neither sine nor rate may divide.
+    if (lane == 2) gradients.set(63 - 5 * lane, axes * rest * axes.transpose() * gradients.get(lane));
+    for (int i = 0; i < 9; ++i) block.rest_rotation[i][lane] = rest.data()[i];
+    block.stiffness[lane] = hinges.back().stiffness;
+    block.damping[lane] = lane == 2 ? hinges.back().damping = 0 : hinges.back().damping;
+    block.gradient1[lane] = hinges.back().gradient1;
+    block.gradient2[lane] = hinges.back().gradient2;
+  }
+  block.count = kBlockSize;
+  hinge_kernel::Axes body_axes{};
+  std::copy_n(axes.data(), 9, body_axes.rotation);
+  std::copy_n(spin.data(), 3, body_axes.angular_velocity);
+  const double dt = 1e-2;
+  std::vector<double> inverse_mass(kSlots);
+  for (double& value : inverse_mass) value = uniform(1, 200);
+  HingeBlock first;
+  double difference = 0;
+  int limited = 0;
+  for_each_instruction_set<hinge_kernel::Kernel>(
+      hinge_kernel::baseline::forces, hinge_kernel::avx2::forces, hinge_kernel::avx512::forces,
+      [&](const std::string& name, hinge_kernel::Kernel kernel) {
+        HingeBlock result = block;
+        kernel(gradients.rows(), rates.rows(), inverse_mass.data(), dt, body_axes, result);
+        if (name == "baseline") first = result;
+        for (int lane = 0; lane < kBlockSize; ++lane) {
+          Hinge hinge = hinges[static_cast<std::size_t>(lane)];
+          const auto turning = [&](std::int32_t slot) {
+            return inverse_mass[static_cast<std::size_t>(slot)] / gradients.get(slot).squaredNorm();
+          };
+          const double stopping = 1 / (dt * (turning(hinge.gradient1) + turning(hinge.gradient2)));
+          limited += hinge.damping > stopping ? 1 : 0;
+          hinge.damping = std::min(hinge.damping, stopping);
+          const HingeForces expected =
+              hinge_forces(hinge, gradients.get(hinge.gradient1), gradients.get(hinge.gradient2),
+                           rates.get(hinge.gradient1), rates.get(hinge.gradient2), axes, spin);
+          const double size = expected.on_gradient1.norm() + expected.on_gradient2.norm() + 1;
+          const double error = (lane_of(result.on_gradient1, lane) - expected.on_gradient1).norm() +
+                               (lane_of(result.on_gradient2, lane) - expected.on_gradient2).norm() +
+                               (lane_of(result.torque_on_body, lane) - expected.torque_on_body).norm();
+          difference = std::max(difference, error / size);
+          EXPECT_NEAR(result.dissipated_power[lane], expected.dissipated_power, 1e-11 * size);
+          EXPECT_EQ(lane_of(result.on_gradient1, lane), lane_of(first.on_gradient1, lane)) << name;
+          EXPECT_EQ(lane_of(result.torque_on_body, lane), lane_of(first.torque_on_body, lane)) << name;
+        }
+      });
+  EXPECT_GT(limited, 0);
+  expect_below("hinge kernel against its readable form, relative", difference, 1e-12, "round-off");
+}
+
+}  // namespace
+}  // namespace netpocket

@@ -1,0 +1,18 @@
+#pragma once
+// Calls a test once for each instruction set that this processor has, the baseline first.
+
+#include "engine/ancf/instruction_set.h"
+
+namespace netpocket::test {
+
+// The variants of a kernel: check(name, kernel) with the baseline and with each other one that can run here.
+template <typename Kernel, typename Check>
+void for_each_instruction_set(Kernel baseline, Kernel avx2, Kernel avx512, const Check& check) {
+  check("baseline", baseline);
+  if (__builtin_cpu_supports("avx2")) check("avx2", avx2);
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")) {
+    check("avx512", avx512);
+  }
+}
+
+}  // namespace netpocket::test
