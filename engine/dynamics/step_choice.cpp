@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace netpocket {
 namespace {
@@ -10,6 +11,9 @@ namespace {
 constexpr double kChange = 0.85;
 // Of the bound of straight cables, above which bends are not worth mentioning.
 constexpr double kNotable = 0.98;
+
+// Most that a choice gives up of the bound for what bends and strains may grow.
+constexpr double kLargestLoss = 0.5;
 
 template <typename Enum>
 void visit_enum(const std::function<void(double&)>& visit, Enum& value, Enum last) {
@@ -62,7 +66,14 @@ double StepChoice::stable_step(const std::function<RopeMotion(double)>& winding,
   const StableStep rope_alone{.step = of_rope, .stiffness = 4 / (of_rope * of_rope)};
   const double bent = system_.stable_step_as_bent(rope_limits ? rope_alone : bound_);
   cause_ = rope_limits ? Cause::ropes : bent < kNotable * bound_.step ? Cause::bends : Cause::cables;
-  return bent;
+  return expected(bent / (rope_limits ? of_rope : bound_.step)) * bent;
+}
+
+// The part of the bound that bends and strains leave until the next choice: they may go on growing as they have since
+// the last one.
+double StepChoice::expected(double left) {
+  const double lost = std::max(0.0, 1 - left / std::exchange(left_, left));
+  return 1 - std::min(lost, kLargestLoss);
 }
 
 void StepChoice::note(double step) {
@@ -79,7 +90,7 @@ std::string StepChoice::limit() const {
 }
 
 void StepChoice::visit_state(const std::function<void(double&)>& visit) {
-  for (double* value : {&bound_length_, &bound_.step, &bound_.stiffness, &bound_.damping, &smallest_step_})
+  for (double* value : {&bound_length_, &bound_.step, &bound_.stiffness, &bound_.damping, &left_, &smallest_step_})
     visit(*value);
   visit_enum(visit, bound_.limit, StepLimit::kink);
   visit_thread(visit, bound_.thread);

@@ -49,6 +49,7 @@ class StepChoice {
   };
 
   double step_of_rope_element(double length);
+  double expected(double left);
 
   CableSystem& system_;
   const Model& model_;
@@ -57,6 +58,7 @@ class StepChoice {
   double bound_length_;                                 // m
   int length_class_ = std::numeric_limits<int>::max();  // for which rope_step_ holds
   double rope_step_ = 0;                                // s
+  double left_ = 1;                                     // part of the bound that bends left at the last choice
   Cause cause_ = Cause::cables;                         // of the last choice
   double smallest_step_ = std::numeric_limits<double>::infinity();
   Limit smallest_;
