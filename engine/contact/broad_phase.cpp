@@ -57,7 +57,7 @@ double displacement_of(const PlacedShape& before, const PlacedShape& now) {
 
 // An object of the tree holds kGroup elements, kStride apart: in a pocket, whose sectors run fastest, neighbours along
 // a cord. FCL's objects take some 250 bytes each.
-constexpr int kGroup = 4, kStride = 8;
+constexpr int kGroup = 8, kStride = 8;
 
 int group_count(int elements) {
   constexpr int kSpan = kGroup * kStride;

@@ -18,7 +18,9 @@ constexpr std::size_t kFewestElementsForThreads = 8000;
 // Speeds beyond this (m/s) are a failure of the integration, not a motion.
 constexpr double kRunawaySpeed = 1e4;
 
-std::vector<BatchElement> batch_elements(const Model& model, const SlotLayout& layout, ElementEvaluation evaluation) {
+}  // namespace
+
+std::vector<BatchElement> CableSystem::Impl::batch_elements() const {
   std::vector<BatchElement> elements;
   elements.reserve(model.elements.size());
   for (const ModelElement& e : model.elements) {
@@ -27,15 +29,13 @@ std::vector<BatchElement> batch_elements(const Model& model, const SlotLayout& l
                         e.length,
                         model.materials[e.material].section,
                         false,
-                        evaluation == ElementEvaluation::mean_strain ? e.mate : -1});
+                        options.evaluation == ElementEvaluation::mean_strain ? e.mate : -1});
   }
   for (const VariableRope& rope : model.ropes) {
     for (const std::int32_t element : rope.elements) elements[element].variable = true;
   }
   return elements;
 }
-
-}  // namespace
 
 CableSystem::Impl::Impl(Model&& source, const SystemOptions& opts)
     : model(std::move(source)),
@@ -46,24 +46,21 @@ CableSystem::Impl::Impl(Model&& source, const SystemOptions& opts)
       layout{static_cast<std::int32_t>(model.nodes.size()), static_cast<std::int32_t>(model.gradients.size())},
       coordinates(layout.size()),
       velocities(layout.size()),
-      elements(batch_elements(model, layout, opts.evaluation)),
-      batch(elements),
+      batch(batch_elements()),
       full_batch(batch.block_count()),
-      assembly(elements, layout.size(), team ? options.threads : 1),
-      constant_mass(layout.size(), 0.0),
+      assembly(batch_elements(), layout.size(), team ? options.threads : 1),
       mass(layout.size(), 0.0),
       inverse_mass(layout.size(), 0.0),
       ropes(model, layout),
-      wrinkling(model, elements, opts.evaluation == ElementEvaluation::full),
+      wrinkling(model, batch_elements(), opts.evaluation == ElementEvaluation::full),
       contacts(model, layout),
       contacted(layout.size()),
       element_forces(static_cast<std::size_t>(batch.block_count()) * kForceRows * kBlockSize, 0.0),
       applied(layout.size()) {
-  element_length.reserve(elements.size());
-  wave_speed.reserve(elements.size());
+  element_length.reserve(model.elements.size());
   for (const ModelElement& element : model.elements) element_length.push_back(element.length);
-  for (const BatchElement& element : elements) {
-    wave_speed.push_back(std::sqrt(element.section.EA / element.section.mass_per_length));
+  for (const CableMaterial& material : model.materials) {
+    wave_speed.push_back(std::sqrt(material.section.EA / material.section.mass_per_length));
   }
   set_initial_state();
   collect_mass();
@@ -115,15 +112,15 @@ void CableSystem::Impl::set_initial_state() {
 
 void CableSystem::Impl::collect_mass() {
   for (std::size_t i = 0; i < model.nodes.size(); ++i) {
-    constant_mass[layout.position(static_cast<std::int32_t>(i))] = model.nodes[i].point_mass;
+    mass[layout.position(static_cast<std::int32_t>(i))] = model.nodes[i].point_mass;
   }
-  for (const BatchElement& element : elements) {
+  for (const BatchElement& element : batch_elements()) {
     if (element.variable) continue;
     NodalWeights lump = lumped_mass(element.section.mass_per_length, element.length);
     if (element.mate >= 0) move_from_middle(lump, ends_at_mate(element));
-    for (int corner = 0; corner < 4; ++corner) constant_mass[element.slot[corner]] += lump[corner];
+    for (int corner = 0; corner < 4; ++corner) mass[element.slot[corner]] += lump[corner];
   }
-  mass = constant_mass;
+  for (const std::int32_t slot : ropes.massive_slots()) mass_without_ropes.push_back(mass[slot]);
   update_ropes();
   for (std::int32_t slot = 0; slot < layout.size(); ++slot) {
     inverse_mass[slot] = moves(slot) && mass[slot] > 0 ? 1 / mass[slot] : 0;
@@ -152,7 +149,7 @@ void CableSystem::Impl::collect_hinges() {
 
 // Whether an element's second node is the middle one of its pair.
 bool CableSystem::Impl::ends_at_mate(const BatchElement& element) const {
-  return element.slot[2] == elements[static_cast<std::size_t>(element.mate)].slot[0];
+  return element.slot[2] == slot(static_cast<std::size_t>(element.mate), 0);
 }
 
 bool CableSystem::Impl::moves(std::int32_t slot) const {
@@ -164,7 +161,9 @@ bool CableSystem::Impl::moves(std::int32_t slot) const {
 // Brings lengths and masses of ropes to the present time.
 void CableSystem::Impl::update_ropes() {
   if (ropes.empty() || !ropes.set_time(time)) return;
-  for (const std::int32_t slot : ropes.massive_slots()) mass[slot] = constant_mass[slot];
+  for (std::size_t i = 0; i < mass_without_ropes.size(); ++i) {
+    mass[ropes.massive_slots()[i]] = mass_without_ropes[i];
+  }
   ropes.update(batch, mass);
   for (const std::int32_t slot : ropes.massive_slots()) {
     if (inverse_mass[slot] != 0) inverse_mass[slot] = 1 / mass[slot];
@@ -183,7 +182,7 @@ void CableSystem::Impl::set_constant_loads() {
     const ModelNode& node = model.nodes[i];
     load.set(layout.position(static_cast<std::int32_t>(i)), node.load + node.point_mass * model.gravity);
   }
-  for (const BatchElement& element : elements) {
+  for (const BatchElement& element : batch_elements()) {
     NodalWeights weight = uniform_load(element.length);
     if (element.mate >= 0 && !element.variable) move_from_middle(weight, ends_at_mate(element));
     for (int corner = 0; corner < 4; ++corner) {
@@ -195,13 +194,13 @@ void CableSystem::Impl::set_constant_loads() {
 
 ElementCoordinates CableSystem::Impl::gather(const SlotVectors& vectors, std::size_t element) const {
   ElementCoordinates q;
-  for (int corner = 0; corner < 4; ++corner) q.col(corner) = vectors.get(elements[element].slot[corner]);
+  for (int corner = 0; corner < 4; ++corner) q.col(corner) = vectors.get(slot(element, corner));
   return q;
 }
 
 MaterialSpan CableSystem::Impl::span(std::size_t element) const {
   const MaterialSpan* variable = ropes.span_of(static_cast<std::int32_t>(element));
-  return variable != nullptr ? *variable : MaterialSpan{.length = elements[element].length};
+  return variable != nullptr ? *variable : MaterialSpan{.length = element_length[element]};
 }
 
 CableSystem::CableSystem(Model model, const SystemOptions& options)
@@ -218,7 +217,7 @@ void CableSystem::step(double dt) { impl_->step(dt); }
 
 StableStep CableSystem::stable_step() {
   impl_->update_ropes();  // their length is that of the last step's start
-  std::vector<BatchElement> now = impl_->elements;
+  std::vector<BatchElement> now = impl_->batch_elements();
   for (std::size_t i = 0; i < now.size(); ++i) now[i].length = impl_->element_length[i];
   if (impl_->consistent_mass) return find_stable_step_of_full_elements(impl_->model, now, impl_->coordinates);
   return find_stable_step(impl_->model, impl_->layout, now, impl_->inverse_mass, impl_->coordinates);
@@ -236,8 +235,8 @@ double CableSystem::stable_step_as_bent(const StableStep& straight) {
   s.update_ropes();
   if (s.step_of_states != s.steps) s.compute_states();
   double of_bends = 0, strain = 0;
-  for (std::size_t i = 0; i < s.elements.size(); ++i) {
-    const double wave = s.wave_speed[i] / s.element_length[i];
+  for (std::size_t i = 0; i < s.model.elements.size(); ++i) {
+    const double wave = s.wave_speed[s.model.elements[i].material] / s.element_length[i];
     of_bends = std::max(of_bends, wave * wave * s.element_state(i, kBendStiffness));
     strain = std::max(strain, s.element_state(i, kStrain));
   }
@@ -263,10 +262,10 @@ bool CableSystem::Impl::looks_sound() const {
 
 std::optional<std::string> CableSystem::fault() const {
   const Impl& s = *impl_;
-  const std::size_t suspects = s.looks_sound() ? 0 : s.elements.size();
+  const std::size_t suspects = s.looks_sound() ? 0 : s.model.elements.size();
   for (std::size_t i = 0; i < suspects; ++i) {
     for (int corner = 0; corner < 4; ++corner) {
-      const std::int32_t slot = s.elements[i].slot[corner];
+      const std::int32_t slot = s.slot(i, corner);
       const double speed = s.velocities.get(slot).norm() * (corner % 2 == 0 ? 1.0 : s.element_length[i]);
       if (speed < kRunawaySpeed && s.coordinates.get(slot).allFinite()) continue;
       return fmt::format("{} (element {}){} moves at {:.3g} m/s", s.model.threads[s.model.elements[i].thread], i,

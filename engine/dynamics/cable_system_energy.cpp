@@ -18,27 +18,28 @@ double CableSystem::Impl::element_state(std::size_t element, std::size_t row) co
 
 // What an element's tension follows of a row: its own value or that of its pair.
 double CableSystem::Impl::resisted(std::size_t element, std::size_t row) const {
-  const std::int32_t mate = elements[element].mate;
+  const std::int32_t mate = options.evaluation == ElementEvaluation::full ? -1 : model.elements[element].mate;
   const double own = element_state(element, row);
   return mate < 0 ? own : paired_strain(own, element_state(static_cast<std::size_t>(mate), row));
 }
 
 double CableSystem::Impl::tension(std::size_t element) const {
-  const CableSection& section = elements[element].section;
+  const CableSection& section = model.material_of(static_cast<std::int32_t>(element)).section;
   const double strain = resisted(element, kStrain);
   return section.axial_stiffness(strain) * (strain + section.axial_damping * resisted(element, kStrainRate));
 }
 
 double CableSystem::Impl::strain_energy() const {
   double energy = wrinkling.energy(coordinates);
-  for (std::size_t i = 0; i < elements.size(); ++i) {
+  for (std::size_t i = 0; i < model.elements.size(); ++i) {
+    const CableSection& section = model.material_of(static_cast<std::int32_t>(i)).section;
     if (options.evaluation == ElementEvaluation::full) {
       const ElementCoordinates q = gather(coordinates, i);
-      const FullElement element(elements[i].section, span(i));
+      const FullElement element(section, span(i));
       energy += element.axial_energy(q) + element.bending_energy(q);
     } else {
       const double strain = resisted(i, kStrain);
-      const double stiffness = elements[i].section.axial_stiffness(strain) * element_length[i];
+      const double stiffness = section.axial_stiffness(strain) * element_length[i];
       energy += 0.5 * stiffness * strain * element_state(i, kStrain) + element_state(i, kBendingEnergy);
     }
   }
@@ -137,9 +138,9 @@ EnergyAudit CableSystem::capture(Snapshot& snapshot) {
   copy_slots(s.coordinates, s.layout.position(0), s.layout.node_count, snapshot.positions);
   copy_slots(s.velocities, s.layout.position(0), s.layout.node_count, snapshot.velocities);
   copy_slots(s.coordinates, s.layout.gradient(0), s.layout.gradient_count, snapshot.gradients);
-  snapshot.tension.resize(static_cast<Eigen::Index>(s.elements.size()));
-  snapshot.strain.resize(static_cast<Eigen::Index>(s.elements.size()));
-  for (std::size_t i = 0; i < s.elements.size(); ++i) {
+  snapshot.tension.resize(static_cast<Eigen::Index>(s.model.elements.size()));
+  snapshot.strain.resize(static_cast<Eigen::Index>(s.model.elements.size()));
+  for (std::size_t i = 0; i < s.model.elements.size(); ++i) {
     snapshot.tension[static_cast<Eigen::Index>(i)] = s.tension(i);
     snapshot.strain[static_cast<Eigen::Index>(i)] = s.element_state(i, kStrain);
   }

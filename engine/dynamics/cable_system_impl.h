@@ -36,15 +36,14 @@ struct CableSystem::Impl {
   std::int64_t steps = 0;
 
   // Elements and masses.
-  std::vector<BatchElement> elements;
   ElementBatch batch;
   FullBatch full_batch;
   Assembly assembly;
-  std::vector<double> constant_mass;  // by slot, without ropes
-  std::vector<double> mass;           // by slot
+  std::vector<double> mass;  // by slot
   AlignedVector<double> inverse_mass;
   std::vector<double> element_length;
-  std::vector<double> wave_speed;  // by element, sqrt(EA/m), m/s
+  std::vector<double> wave_speed;          // by material, sqrt(EA/m), m/s
+  std::vector<double> mass_without_ropes;  // of the ropes' massive slots, in their order
   std::optional<ConsistentMass> consistent_mass;
   AlignedVector<double> unit_mass;
   SlotVectors forces, unmoved;  // to collect forces for the consistent mass
@@ -78,6 +77,10 @@ struct CableSystem::Impl {
   std::vector<Eigen::Vector3d> impulses;
   double deepest_penetration = 0;
 
+  std::vector<BatchElement> batch_elements() const;
+  std::int32_t slot(std::size_t element, int corner) const {
+    return batch.block(static_cast<int>(element / kBlockSize)).slot[corner][element % kBlockSize];
+  }
   void set_initial_state();
   void begin_accounts();
   void collect_mass();

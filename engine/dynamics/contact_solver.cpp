@@ -89,10 +89,9 @@ ContactSolver::ContactSolver(const Model& model, const SlotLayout& layout)
   points_.resize(samples_.size() * contact_kernel::kPointRows * kBlockSize);
   const std::size_t blocks = (model.elements.size() + kBlockSize - 1) / kBlockSize;
   thickest_.resize(blocks, 0.0);
-  radius_.reserve(model.elements.size());
   for (std::size_t i = 0; i < model.elements.size(); ++i) {
-    radius_.push_back(model.material_of(static_cast<std::int32_t>(i)).radius);
-    thickest_[i / kBlockSize] = std::max(thickest_[i / kBlockSize], radius_.back());
+    double& thickest = thickest_[i / kBlockSize];
+    thickest = std::max(thickest, model.radius_of(static_cast<std::int32_t>(i)));
   }
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const Shape& shape = model.bodies[b].shape;
@@ -107,7 +106,8 @@ ContactSolver::ContactSolver(const Model& model, const SlotLayout& layout)
       const auto attached = [&](std::int32_t node) {
         return model.nodes[node].support == Support::body && model.nodes[node].body == static_cast<std::int32_t>(b);
       };
-      if (attached(model.elements[i].node1) || attached(model.elements[i].node2) || radius_[i] <= 0) continue;
+      if (attached(model.elements[i].node1) || attached(model.elements[i].node2)) continue;
+      if (model.radius_of(static_cast<std::int32_t>(i)) <= 0) continue;
       partners_[b].touchable[i / kBlockSize] |= static_cast<std::uint8_t>(1U << i % kBlockSize);
     }
   }
@@ -151,13 +151,13 @@ const NormalLaw* ContactSolver::laws(std::int32_t block, std::int32_t body, doub
 bool ContactSolver::update_broad_phase(const SlotVectors& coordinates, const ElementBatch& batch,
                                        const std::vector<DynamicBody>& bodies) {
   std::vector<Eigen::AlignedBox3d> boxes;
-  boxes.reserve(radius_.size());
-  for (std::size_t i = 0; i < radius_.size(); ++i) {
+  boxes.reserve(model_.elements.size());
+  for (std::size_t i = 0; i < model_.elements.size(); ++i) {
     const ElementBlock& block = batch.block(static_cast<int>(i) / kBlockSize);
     const std::size_t lane = i % kBlockSize;
     boxes.push_back(curve_bounds(coordinates,
                                  {block.slot[0][lane], block.slot[1][lane], block.slot[2][lane], block.slot[3][lane]},
-                                 block.length[lane], radius_[i]));
+                                 block.length[lane], model_.radius_of(static_cast<std::int32_t>(i))));
   }
   std::vector<PlacedShape> shapes;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -186,7 +186,7 @@ double ContactSolver::clearance(std::int32_t block, std::int32_t body, double ma
     for (int lane = 0; lane < kBlockSize; ++lane) {
       if ((partner.touchable[block] >> lane & 1) == 0) continue;
       const std::int32_t element = block * kBlockSize + lane;
-      const double radius = radius_[element];
+      const double radius = model_.radius_of(element);
       const double outside = rows[3 * kBlockSize + lane] - partner.bounding_radius - radius;
       if (outside > margin || (partner.is_sphere && outside >= 0)) {
         least = std::min(least, outside);
@@ -293,7 +293,7 @@ void ContactSolver::find_contacts(std::int32_t body, const SlotVectors& coordina
     if (partner.due[block] > approach_) continue;
     const auto touch = [&](std::int32_t element, int lane, std::size_t sample, const Vector3d& point,
                            const SurfacePoint& nearest) {
-      const double penetration = radius_[element] - nearest.distance;
+      const double penetration = model_.radius_of(element) - nearest.distance;
       deepest_penetration_ = std::max(deepest_penetration_, penetration);
       add_contact(body, batch.block(block), element, sample, point,
                   symmetric_product(dynamic.rigid().rotation(), nearest.normal), penetration,
@@ -388,7 +388,7 @@ std::vector<ContactPoint> ContactSolver::contacts() const {
   for_each_contact([&](const ContactBlock& block, int lane) {
     const Vector3d force = lane_of(block.force, lane);
     if (force.squaredNorm() == 0) return;
-    const double to_surface = radius_[block.element[lane]] - block.penetration[lane];
+    const double to_surface = model_.radius_of(block.element[lane]) - block.penetration[lane];
     const Vector3d surface = lane_of(block.point, lane) - to_surface * lane_of(block.normal, lane);
     result.push_back({surface, -force, block.element[lane], block.body});
   });

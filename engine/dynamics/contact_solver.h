@@ -107,7 +107,6 @@ class ContactSolver {
   SlotLayout layout_;
   ContactSettings settings_;
   std::vector<contact_kernel::Sample> samples_;
-  std::vector<double> radius_;    // by element, m
   std::vector<double> thickest_;  // by block of elements, m
   double damping_;                // alpha of force_law.h
   std::vector<Pairs> pairs_;      // that have touched

@@ -63,19 +63,14 @@ std::vector<std::int32_t> inverted(const std::vector<std::int32_t>& next) {
 
 CordContact::CordContact(const Model& model, const SlotLayout& layout, const SlotVectors& coordinates,
                          std::span<const double> inverse_mass)
-    : settings_(model.contact),
+    : model_(model),
+      settings_(model.contact),
       damping_(restitution_damping(model.contact.restitution)),
       polyline_(model, layout),
       pairs_(model, polyline_, coordinates, inverse_mass),
       search_(model, polyline_, pairs_),
       next_(next_elements(model)) {
   previous_ = inverted(next_);
-  for (std::size_t i = 0; i < model.elements.size(); ++i) {
-    const CableMaterial& material = model.material_of(static_cast<std::int32_t>(i));
-    radius_.push_back(material.radius);
-    compliance_.push_back((1 - material.poisson_ratio * material.poisson_ratio) / material.youngs_modulus);
-    mass_per_length_.push_back(material.section.mass_per_length);
-  }
 }
 
 // Whether the point at `fraction` of one of the two capsules is a nearest point of its whole cord: an end of a capsule
@@ -101,8 +96,9 @@ bool CordContact::is_least(const NearSegments& near, bool second, double fractio
 }
 
 double CordContact::material_stiffness(std::int32_t first, std::int32_t second) const {
-  const auto a = static_cast<std::size_t>(first), b = static_cast<std::size_t>(second);
-  return hertz_stiffness(1 / (compliance_[a] + compliance_[b]), effective_radius(radius_[a], radius_[b]));
+  const CableMaterial &a = model_.material_of(first), &b = model_.material_of(second);
+  const double modulus = effective_modulus({a.youngs_modulus, a.poisson_ratio}, {b.youngs_modulus, b.poisson_ratio});
+  return hertz_stiffness(modulus, effective_radius(a.radius, b.radius));
 }
 
 CordContact::Side CordContact::make_side(std::int32_t element, std::int32_t segment, double fraction,
@@ -113,7 +109,7 @@ CordContact::Side CordContact::make_side(std::int32_t element, std::int32_t segm
   side.end = {polyline_.weights(segment, length), polyline_.weights(segment + 1, length)};
   for (std::size_t i = 0; i < 4; ++i) side.point[i] = (1 - fraction) * side.end[0][i] + fraction * side.end[1][i];
   side.fraction = fraction;
-  side.radius = radius_[static_cast<std::size_t>(element)];
+  side.radius = model_.radius_of(element);
   return side;
 }
 
@@ -125,7 +121,7 @@ void CordContact::test(const NearSegments& near, const SlotVectors& coordinates,
   const auto a = static_cast<std::size_t>(first), b = static_cast<std::size_t>(second);
   const Segment one = segment_of(vertices_[static_cast<std::size_t>(near.first)], near.first_segment);
   const Segment other = segment_of(vertices_[static_cast<std::size_t>(near.second)], near.second_segment);
-  const double reach = radius_[a] + radius_[b];
+  const double reach = model_.radius_of(first) + model_.radius_of(second);
   const double farthest = std::max(reach, kFloor * reach + search_.travel_per_step());
   if (closest_points(one, other).distance > farthest) return;
   const auto [f, g] = nearest_fractions(one, other);
@@ -148,7 +144,8 @@ void CordContact::test(const NearSegments& near, const SlotVectors& coordinates,
     const Vector3d direction = axis / side.length;
     side.tangent = direction - symmetric_dot(direction, contact.normal) * contact.normal;
   }
-  const double mass = effective_mass(mass_per_length_[a] * element_length[a], mass_per_length_[b] * element_length[b]);
+  const double mass = effective_mass(model_.material_of(first).section.mass_per_length * element_length[a],
+                                     model_.material_of(second).section.mass_per_length * element_length[b]);
   contact.stiffness = std::min(material_stiffness(first, second), resolved_stiffness(mass, dt));
   contacts_.push_back(contact);
 }

@@ -102,14 +102,12 @@ class CordContact {
   template <typename Function>
   void for_each_corner(const Function& function) const;
 
+  const Model& model_;
   ContactSettings settings_;
   double damping_;  // alpha of force_law.h
   CordPolyline polyline_;
   CordPairs pairs_;
   CordSearch search_;
-  std::vector<double> radius_;                    // m, by element
-  std::vector<double> compliance_;                // (1 - nu^2)/E, 1/Pa, by element
-  std::vector<double> mass_per_length_;           // kg/m, by element
   std::vector<std::int32_t> previous_, next_;     // by element: the one before it and after it along its cord, or -1
   std::vector<CordPolyline::Vertices> vertices_;  // of search_.near_elements()
   std::vector<Contact> contacts_;

@@ -50,6 +50,10 @@ std::vector<std::int32_t> neighbours(const Model& model, const std::vector<std::
   return found;
 }
 
+bool share_node(const ModelElement& a, const ModelElement& b) {
+  return a.node1 == b.node1 || a.node1 == b.node2 || a.node2 == b.node1 || a.node2 == b.node2;
+}
+
 double distance(const CordPolyline::Vertices& a, const CordPolyline::Vertices& b) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i + 1 < a.size(); ++i) {
@@ -63,7 +67,8 @@ double distance(const CordPolyline::Vertices& a, const CordPolyline::Vertices& b
 }  // namespace
 
 CordPairs::CordPairs(const Model& model, const CordPolyline& polyline, const SlotVectors& coordinates,
-                     std::span<const double> inverse_mass) {
+                     std::span<const double> inverse_mass)
+    : model_(model) {
   const auto at_node = elements_by_node(model);
   std::vector<CordPolyline::Vertices> vertices;
   std::vector<AlignedBox3d> boxes;
@@ -72,10 +77,10 @@ CordPairs::CordPairs(const Model& model, const CordPolyline& polyline, const Slo
     const ModelElement& element = model.elements[i];
     const auto index = static_cast<std::int32_t>(i);
     radius.push_back(model.material_of(index).radius);
-    const std::vector<std::int32_t> own = neighbours(model, at_node, element, 2 * kNeighbourhood * radius.back());
-    neighbours_.insert(neighbours_.end(), own.begin(), own.end());
+    for (const std::int32_t other : neighbours(model, at_node, element, 2 * kNeighbourhood * radius.back())) {
+      if (!share_node(element, model.elements[static_cast<std::size_t>(other)])) neighbours_.push_back(other);
+    }
     first_neighbour_.push_back(static_cast<std::int32_t>(neighbours_.size()));
-    thread_.push_back(element.thread);
     solid_.push_back(radius.back() > 0);
     const auto& slots = polyline.slots(index);
     moves_.push_back(std::ranges::any_of(slots, [&](std::int32_t slot) { return inverse_mass[slot] > 0; }));
@@ -91,7 +96,7 @@ CordPairs::CordPairs(const Model& model, const CordPolyline& polyline, const Slo
     const auto a = static_cast<std::size_t>(first), b = static_cast<std::size_t>(second);
     if (!may_touch(first, second)) continue;
     if (distance(vertices[a], vertices[b]) >= radius[a] + radius[b]) continue;
-    const ThreadPair threads = std::minmax(thread_[a], thread_[b]);
+    const ThreadPair threads = std::minmax(model_.elements[a].thread, model_.elements[b].thread);
     joined_threads_.insert(std::ranges::upper_bound(joined_threads_, threads), threads);
   }
 }
@@ -103,10 +108,11 @@ bool CordPairs::may_touch(std::int32_t first, std::int32_t second) const {
     return std::binary_search(neighbours_.begin() + first_neighbour_[element],
                               neighbours_.begin() + first_neighbour_[element + 1], other);
   };
+  if (share_node(model_.elements[a], model_.elements[b])) return false;
   if (are_neighbours(a, second) || are_neighbours(b, first)) {
     return false;
   }
-  const ThreadPair threads = std::minmax(thread_[a], thread_[b]);
+  const ThreadPair threads = std::minmax(model_.elements[a].thread, model_.elements[b].thread);
   return !std::ranges::binary_search(joined_threads_, threads);
 }
 

@@ -26,9 +26,10 @@ class CordPairs {
  private:
   using ThreadPair = std::pair<std::int32_t, std::int32_t>;  // smaller first
 
-  // Those of element i are neighbours_[first_neighbour_[i]] to neighbours_[first_neighbour_[i + 1] - 1], sorted.
+  const Model& model_;
+  // Near along the cords without sharing a node: those of element i are neighbours_[first_neighbour_[i]] to
+  // neighbours_[first_neighbour_[i + 1] - 1], sorted.
   std::vector<std::int32_t> neighbours_, first_neighbour_ = {0};
-  std::vector<std::int32_t> thread_;        // by element
   std::vector<std::uint8_t> solid_;         // by element: has thickness
   std::vector<std::uint8_t> moves_;         // by element
   std::vector<ThreadPair> joined_threads_;  // sorted

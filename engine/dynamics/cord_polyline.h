@@ -20,18 +20,18 @@ class CordPolyline {
   using Vertices = std::array<Eigen::Vector3d, kSegments + 1>;
   using Weights = ElementWeights;
 
-  CordPolyline(const Model& model, const SlotLayout& layout) {
+  CordPolyline(const Model& model, const SlotLayout& layout) : model_(model), layout_(layout) {
     for (std::size_t i = 0; i < unit_weights_.size(); ++i) {
       const NodalWeights weights = shape(2.0 * static_cast<double>(i) / kSegments - 1, 1.0);
       unit_weights_[i] = {weights[0], weights[1], weights[2], weights[3]};
     }
-    for (const ModelElement& element : model.elements) {
-      slots_.push_back({layout.position(element.node1), layout.gradient(element.gradient1),
-                        layout.position(element.node2), layout.gradient(element.gradient2)});
-    }
   }
 
-  const ElementSlots& slots(std::int32_t element) const { return slots_[static_cast<std::size_t>(element)]; }
+  ElementSlots slots(std::int32_t index) const {
+    const ModelElement& element = model_.elements[static_cast<std::size_t>(index)];
+    return {layout_.position(element.node1), layout_.gradient(element.gradient1), layout_.position(element.node2),
+            layout_.gradient(element.gradient2)};
+  }
   // Shape functions at a vertex of an element of `length` (m).
   Weights weights(int vertex, double length) const {
     const Weights& unit = unit_weights_[static_cast<std::size_t>(vertex)];
@@ -48,8 +48,9 @@ class CordPolyline {
   }
 
  private:
+  const Model& model_;
+  SlotLayout layout_;
   std::array<Weights, kSegments + 1> unit_weights_;  // by vertex, for unit length
-  std::vector<ElementSlots> slots_;                  // by element
 };
 
 }  // namespace netpocket

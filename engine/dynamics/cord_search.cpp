@@ -47,7 +47,8 @@ double broad_margin(const Model& model) {
 }  // namespace
 
 CordSearch::CordSearch(const Model& model, const CordPolyline& polyline, const CordPairs& pairs)
-    : polyline_(polyline),
+    : model_(model),
+      polyline_(polyline),
       pairs_(pairs),
       node_count_(static_cast<std::int32_t>(model.nodes.size())),
       first_gradient_(SlotLayout{node_count_, 0}.gradient(0)),
@@ -56,7 +57,6 @@ CordSearch::CordSearch(const Model& model, const CordPolyline& polyline, const C
       near_place_(model.elements.size(), -1) {
   quarter_length_.setZero(kBlockSize, SlotLayout::padded(gradient_count_) / kBlockSize);
   for (std::size_t i = 0; i < model.elements.size(); ++i) {
-    radius_.push_back(model.material_of(static_cast<std::int32_t>(i)).radius);
     const ModelElement& element = model.elements[i];
     for (const std::int32_t gradient : {element.gradient1, element.gradient2}) {
       double& quarter = quarter_length_(gradient % kBlockSize, gradient / kBlockSize);
@@ -97,10 +97,10 @@ double CordSearch::take_way(const SlotVectors& coordinates) {
 
 bool CordSearch::update_candidates(const SlotVectors& coordinates, const std::vector<double>& element_length) {
   std::vector<AlignedBox3d> boxes;
-  boxes.reserve(radius_.size());
-  for (std::size_t i = 0; i < radius_.size(); ++i) {
-    boxes.push_back(
-        curve_bounds(coordinates, polyline_.slots(static_cast<std::int32_t>(i)), element_length[i], radius_[i]));
+  boxes.reserve(model_.elements.size());
+  for (std::size_t i = 0; i < model_.elements.size(); ++i) {
+    const auto element = static_cast<std::int32_t>(i);
+    boxes.push_back(curve_bounds(coordinates, polyline_.slots(element), element_length[i], model_.radius_of(element)));
   }
   if (!std::ranges::all_of(boxes, is_sound)) return false;
   if (!broad_phase_.update(boxes, {})) return true;
@@ -126,7 +126,7 @@ double CordSearch::least_gap(const SlotVectors& coordinates, const std::vector<d
     return segment;
   };
   const Segment a = chord(first), b = chord(second);
-  const double thickness = radius_[static_cast<std::size_t>(first)] + radius_[static_cast<std::size_t>(second)];
+  const double thickness = model_.radius_of(first) + model_.radius_of(second);
   return closest_points(a, b).distance - sags - thickness;
 }
 
@@ -144,7 +144,7 @@ void CordSearch::add_near_segments(const SlotVectors& coordinates, const std::ve
   const auto a_index = static_cast<std::size_t>(candidate.first), b_index = static_cast<std::size_t>(candidate.second);
   const auto a = polyline_.vertices(coordinates, element_length[a_index], candidate.first);
   const auto b = polyline_.vertices(coordinates, element_length[b_index], candidate.second);
-  const double near = reach + radius_[a_index] + radius_[b_index];
+  const double near = reach + model_.radius_of(candidate.first) + model_.radius_of(candidate.second);
   for (std::size_t i = 0; i < CordPolyline::kSegments; ++i) {
     for (std::size_t j = 0; j < CordPolyline::kSegments; ++j) {
       if (closest_points({a[i], a[i + 1]}, {b[j], b[j + 1]}).distance > near) continue;

@@ -72,10 +72,10 @@ class CordSearch {
   std::int32_t near_index(std::int32_t element);
   void sort_sides();
 
+  const Model& model_;
   const CordPolyline& polyline_;
   const CordPairs& pairs_;
   std::int32_t node_count_, first_gradient_, gradient_count_;
-  std::vector<double> radius_;                                       // m, by element
   Eigen::Array<double, kBlockSize, Eigen::Dynamic> quarter_length_;  // m, by gradient, of the longest element there
   BroadPhase broad_phase_;
   std::vector<Candidate> candidates_;

@@ -148,6 +148,7 @@ struct Model {
 
   // Material that element `index` is made of.
   const CableMaterial& material_of(std::int32_t index) const { return materials[elements[index].material]; }
+  double radius_of(std::int32_t element) const { return material_of(element).radius; }  // m
   Structure structure() const;
   // Mass of cables and point masses, kg.
   double cable_mass() const;
