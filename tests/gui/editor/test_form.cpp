@@ -5,6 +5,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QStyleOptionComboBox>
 #include <QTableWidget>
 #include <QTest>
 #include <QToolButton>
@@ -95,6 +96,21 @@ TEST_F(Form, AProblemOfTheWholeStandsAtItsParameter) {
   EXPECT_TRUE(row("closing.closed_length").problem().contains("shorter"));
   document->undo_stack()->undo();
   EXPECT_TRUE(row("closing.closed_length").problem().isEmpty());
+}
+
+TEST_F(Form, ChoicesShowTheirLongestWord) {
+  editor.resize(330, 800);  // as the window starts
+  QCoreApplication::processEvents();
+  for (const char* key : {"towing.mode", "solver.evaluation", "closing.law"}) {
+    const auto& box = part<QComboBox>(key);
+    int longest = 0;
+    for (int i = 0; i < box.count(); ++i)
+      longest = std::max(longest, box.fontMetrics().horizontalAdvance(box.itemText(i)));
+    QStyleOptionComboBox option;
+    option.initFrom(&box);
+    const QRect room = box.style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, &box);
+    EXPECT_LE(longest, room.width()) << key;
+  }
 }
 
 TEST_F(Form, ChoiceChangesWhichFieldsAreUsed) {
