@@ -109,9 +109,11 @@ bool WindowTest::wait_for_picture() {
 }
 
 // Qt delivers a drop only to what took the drag that entered.
-void WindowTest::drop(const QString& path) {
+void WindowTest::drop(const QStringList& paths) {
   QMimeData data;
-  data.setUrls({QUrl::fromLocalFile(path)});
+  QList<QUrl> urls;
+  for (const QString& path : paths) urls << QUrl::fromLocalFile(path);
+  data.setUrls(urls);
   QDragEnterEvent enter(QPoint(100, 100), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
   QApplication::sendEvent(window_.get(), &enter);
   EXPECT_TRUE(enter.isAccepted());
