@@ -160,6 +160,8 @@ void MainWindow::connect_panels() {
   connect(exports_, &ExportTray::failed, this, &MainWindow::show_notice);
   connect(exports_, &ExportTray::finished, this,
           [this](const QString& result) { status_->showMessage(tr("Exported %1").arg(result), 10000); });
+  connect(exports_, &ExportTray::cancelled, this,
+          [this](const QString& label) { status_->showMessage(tr("Export cancelled: %1").arg(label), 10000); });
   connect(&session_->runs(), &RunLibrary::saved, this,
           [this](const QString& path) { status_->showMessage(tr("Saved %1").arg(path), 10000); });
   connect(plots_, &PlotsPanel::time_clicked, timeline_, &TimelineBar::go_to);

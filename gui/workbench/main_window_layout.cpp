@@ -146,7 +146,8 @@ void MainWindow::make_menus(const WindowOptions& options) {
 
 // Panels to show or hide, and keys that go to them.
 void MainWindow::fill_panels(QMenu& menu) {
-  const auto docks = findChildren<QDockWidget*>();
+  QList<QDockWidget*> docks;
+  for (const char* name : {"scenario", "plots", "findings", "runs"}) docks << findChild<QDockWidget*>(name);
   for (auto* dock : docks) menu.addAction(dock->toggleViewAction());
   menu.addSeparator();
   menu.setToolTipsVisible(true);

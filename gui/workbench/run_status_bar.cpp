@@ -85,9 +85,9 @@ void RunStatusBar::show_run(const Run* run, std::size_t frame) {
 }
 
 void RunStatusBar::colour_state() {
-  QPalette colours = palette();
-  if (diverged_) colours.setColor(QPalette::WindowText, tone_colour(Tone::bad, colours));
-  state_->setPalette(colours);
+  QPalette own;
+  if (diverged_) own.setColor(QPalette::WindowText, tone_colour(Tone::bad, palette()));
+  state_->setPalette(own);
 }
 
 void RunStatusBar::changeEvent(QEvent* event) {

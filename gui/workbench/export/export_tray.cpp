@@ -62,7 +62,10 @@ void ExportTray::start_next() {
     emit finished(job_->result());
     end();
   });
-  connect(job_.get(), &ExportJob::cancelled, this, &ExportTray::end);
+  connect(job_.get(), &ExportJob::cancelled, this, [this] {
+    emit cancelled(job_->label());
+    end();
+  });
   connect(job_.get(), &ExportJob::failed, this, [this](const QString& reason) {
     emit failed(reason);
     end();

@@ -27,6 +27,7 @@ class ExportTray : public QWidget {
  signals:
   void finished(const QString& result);
   void failed(const QString& reason);
+  void cancelled(const QString& label);
 
  private:
   void start_next();

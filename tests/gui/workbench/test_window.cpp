@@ -350,9 +350,20 @@ TEST_F(WindowTest, FollowsADarkDesktop) {
   QApplication::setPalette(dark);
   EXPECT_TRUE(wait_until([&] { return window_->viewport().options().background == Background::space; }));
   EXPECT_TRUE(run_to(0.4));
+  // Bars that were hidden when it turned dark.
+  ASSERT_FALSE(window_->document().set_value(parameter("net.diameter"), 0.005));
+  window_->show_notice("A notice.");
+  for (const auto* bar : window_->findChildren<MessageBar*>()) {
+    EXPECT_LT(bar->palette().color(QPalette::Window).lightness(), 128) << bar->text().toStdString();
+    EXPECT_GT(bar->palette().color(QPalette::WindowText).lightness(), 128) << bar->text().toStdString();
+  }
   screenshot("dark");
   QApplication::setPalette(light);
   EXPECT_TRUE(wait_until([&] { return window_->viewport().options().background == Background::white; }));
+  for (const auto* bar : window_->findChildren<MessageBar*>()) {
+    EXPECT_GT(bar->palette().color(QPalette::Window).lightness(), 128) << bar->text().toStdString();
+    EXPECT_LT(bar->palette().color(QPalette::WindowText).lightness(), 128) << bar->text().toStdString();
+  }
 }
 
 TEST_F(WindowTest, AnyReasonableSizeWorks) {
