@@ -20,6 +20,7 @@
 #include "gui/workbench/editor/scenario_editor.h"
 #include "gui/workbench/panels/chart_view.h"
 #include "temporary_document.h"
+#include "tests/gui/patience.h"
 
 namespace netpocket {
 namespace {
@@ -73,6 +74,7 @@ TEST_F(Form, StepsMergeIntoOneEdit) {
   EXPECT_EQ(document->scenario().target.radius, 5.0);
   EXPECT_EQ(document->undo_stack()->count(), 1);
   QTest::qWait(900);
+  QCoreApplication::processEvents();  // also when the process stood still meanwhile
   QTest::keyClick(&edit, Qt::Key_Up);
   EXPECT_EQ(document->undo_stack()->count(), 2) << "after a pause it is another edit";
 }
@@ -252,7 +254,7 @@ TEST_F(Form, UndoKeyIsTheDocumentsUnlessSomethingIsTyped) {
   QAction* undo = document->undo_stack()->createUndoAction(&editor);
   undo->setShortcut(QKeySequence::Undo);
   editor.addAction(undo);
-  ASSERT_TRUE(QTest::qWaitForWindowActive(&editor));
+  ASSERT_TRUE(wait_patiently([&] { return editor.isActiveWindow(); }));
   EXPECT_FALSE(document->set_value(parameter("target.mass"), 150.0));
   auto& edit = part<NumberEdit>("target.radius");
   edit.setFocus();

@@ -3,7 +3,6 @@
 #include <QAbstractButton>
 #include <QApplication>
 #include <QDropEvent>
-#include <QElapsedTimer>
 #include <QFile>
 #include <QMimeData>
 #include <QTest>
@@ -12,6 +11,7 @@
 
 #include "gui/workbench/second_view.h"
 #include "gui/workbench/viewport/viewport.h"
+#include "tests/gui/patience.h"
 
 namespace netpocket {
 
@@ -48,7 +48,7 @@ void WindowTest::reopen() {
   window_->document().start_from(quick_scenario());
   window_->show();
   window_->activateWindow();
-  (void)QTest::qWaitForWindowActive(window_.get());
+  (void)wait_patiently([this] { return window_->isActiveWindow(); }, 5);
 }
 
 void WindowTest::answer_question(QMessageBox::StandardButton button) {
@@ -64,13 +64,7 @@ void WindowTest::answer_question(QMessageBox::StandardButton button) {
 }
 
 bool WindowTest::wait_until(const std::function<bool()>& condition, double seconds) {
-  QElapsedTimer timer;
-  timer.start();
-  while (!condition()) {
-    if (timer.elapsed() > 1000 * seconds) return false;
-    QTest::qWait(5);
-  }
-  return true;
+  return wait_patiently(condition, seconds);
 }
 
 bool WindowTest::run_to(double time) {

@@ -20,7 +20,7 @@ class WindowTest : public testing::Test {
   WindowTest();
   ~WindowTest() override;
 
-  // Processes events until the condition holds; false after `seconds`.
+  // As wait_patiently().
   static bool wait_until(const std::function<bool()>& condition, double seconds = 30);
   // Lets a run come to `time`, s, and pauses it.
   bool run_to(double time);
