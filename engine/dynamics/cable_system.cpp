@@ -18,6 +18,11 @@ constexpr std::size_t kFewestElementsForThreads = 8000;
 // Speeds beyond this (m/s) are a failure of the integration, not a motion.
 constexpr double kRunawaySpeed = 1e4;
 
+// For messages; a runaway's size is all that matters.
+std::string speed_text(double speed) {
+  return speed < kRunawaySpeed ? fmt::format("{:.3g} m/s", speed) : fmt::format("{:.3g} km/s", speed / 1000);
+}
+
 }  // namespace
 
 std::vector<BatchElement> CableSystem::Impl::batch_elements() const {
@@ -268,15 +273,15 @@ std::optional<std::string> CableSystem::fault() const {
       const std::int32_t slot = s.slot(i, corner);
       const double speed = s.velocities.get(slot).norm() * (corner % 2 == 0 ? 1.0 : s.element_length[i]);
       if (speed < kRunawaySpeed && s.coordinates.get(slot).allFinite()) continue;
-      return fmt::format("{} (element {}){} moves at {:.3g} m/s", s.model.threads[s.model.elements[i].thread], i,
-                         s.contact_of(static_cast<std::int32_t>(i)), speed);
+      return fmt::format("{} (element {}){} moves at {}", s.model.threads[s.model.elements[i].thread], i,
+                         s.contact_of(static_cast<std::int32_t>(i)), speed_text(speed));
     }
   }
   for (std::size_t b = 0; b < s.bodies.size(); ++b) {
     const RigidBody& body = s.bodies[b].rigid();
     if (body.position().allFinite() && body.velocity().norm() < kRunawaySpeed && body.angular_momentum().allFinite())
       continue;
-    return fmt::format("the {} moves at {:.3g} m/s", s.model.bodies[b].name, body.velocity().norm());
+    return fmt::format("the {} moves at {}", s.model.bodies[b].name, speed_text(body.velocity().norm()));
   }
   return std::nullopt;
 }

@@ -32,6 +32,10 @@ constexpr double kLongestInterval = 0.01;
 // Counts that a double holds exactly.
 constexpr double kLargestCount = 9007199254740992.0;
 
+std::string step_text(double seconds) {
+  return seconds < 1e-3 ? fmt::format("{:.3g} µs", 1e6 * seconds) : fmt::format("{:.3g} ms", 1e3 * seconds);
+}
+
 double cpu_seconds() {
   timespec now{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
@@ -237,8 +241,8 @@ struct Simulation::Impl {
                                    ? fmt::format("try a solver.time_step below {:.3g} s", time_step)
                                    : fmt::format("try solver.safety below {}", scenario.solver.safety);
     return {RunReason::diverged, system.time(),
-            fmt::format("{} in step {} of {:.3g} s, at t = {:.6g} s; {}", fault, failed_step, time_step, system.time(),
-                        advice)};
+            fmt::format("{} in step {} of {}, at t = {:.4f} s; {}", fault, failed_step, step_text(time_step),
+                        system.time(), advice)};
   }
 };
 

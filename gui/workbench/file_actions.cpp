@@ -9,6 +9,7 @@
 
 #include "gui/workbench/action_icons.h"
 #include "gui/workbench/editor/presets.h"
+#include "gui/workbench/panels/ask_for_file.h"
 
 namespace netpocket {
 namespace {
@@ -110,9 +111,8 @@ bool FileActions::save() {
 bool FileActions::save_as() {
   const QString name =
       document_.path().isEmpty() ? QString::fromStdString(document_.scenario().name) + ".toml" : document_.path();
-  QString path = QFileDialog::getSaveFileName(window_, tr("Save scenario"), name, tr("Scenarios (*.toml)"));
+  const QString path = ask_for_path(window_, {tr("Save scenario"), name, tr("Scenarios (*.toml)"), "toml"});
   if (path.isEmpty()) return false;
-  if (QFileInfo(path).suffix().isEmpty()) path += ".toml";
   const auto refusal = document_.save_as(path);
   if (refusal) emit problem(*refusal);
   return !refusal;

@@ -10,10 +10,12 @@
 #include <QKeyEvent>
 #include <QMimeData>
 #include <QSplitter>
+#include <QUrl>
 #include <algorithm>
 
 #include "gui/workbench/dialogs/preferences_dialog.h"
 #include "gui/workbench/editor/scenario_editor.h"
+#include "gui/workbench/editor/text_page.h"
 #include "gui/workbench/export/export_tray.h"
 #include "gui/workbench/file_actions.h"
 #include "gui/workbench/findings_updater.h"
@@ -43,10 +45,15 @@ bool is_recording(const QString& path) {
   return suffix == "h5" || suffix == "hdf5" || suffix == "part";
 }
 
-QString file_to_open(const QMimeData& data) {
-  if (data.urls().size() != 1 || !data.urls().front().isLocalFile()) return {};
-  const QString path = data.urls().front().toLocalFile();
-  return is_recording(path) || QFileInfo(path).suffix().toLower() == "toml" ? path : QString();
+// Any number of recordings, and one scenario.
+QStringList files_to_open(const QMimeData& data) {
+  QStringList recordings, scenarios;
+  for (const QUrl& url : data.urls()) {
+    const QString path = url.toLocalFile();
+    if (is_recording(path)) recordings << path;
+    if (QFileInfo(path).suffix().toLower() == "toml") scenarios << path;
+  }
+  return recordings + scenarios.mid(0, 1);
 }
 
 std::unique_ptr<QSettings> make_settings(const QString& file) {
@@ -108,6 +115,8 @@ void MainWindow::connect_document() {
   connect(document_.get(), &ScenarioDocument::modified_changed, this, &MainWindow::update_title);
   connect(document_.get(), &ScenarioDocument::path_changed, this, &MainWindow::update_title);
   connect(document_.get(), &ScenarioDocument::changed, this, [this] { preview_->build(document_->scenario()); });
+  connect(document_.get(), &ScenarioDocument::changed, this, &MainWindow::withdraw_scenario_notice);
+  connect(editor_->text_page(), &TextPage::problem_changed, this, &MainWindow::withdraw_scenario_notice);
   connect(editor_, &ScenarioEditor::preview, preview_.get(), &PreviewBuilder::build);
   connect(editor_, &ScenarioEditor::strategy_edited, this,
           [this] { session_->change_strategy(document_->scenario()); });
@@ -151,6 +160,8 @@ void MainWindow::connect_panels() {
   connect(exports_, &ExportTray::failed, this, &MainWindow::show_notice);
   connect(exports_, &ExportTray::finished, this,
           [this](const QString& result) { status_->showMessage(tr("Exported %1").arg(result), 10000); });
+  connect(exports_, &ExportTray::cancelled, this,
+          [this](const QString& label) { status_->showMessage(tr("Export cancelled: %1").arg(label), 10000); });
   connect(&session_->runs(), &RunLibrary::saved, this,
           [this](const QString& path) { status_->showMessage(tr("Saved %1").arg(path), 10000); });
   connect(plots_, &PlotsPanel::time_clicked, timeline_, &TimelineBar::go_to);
@@ -169,6 +180,9 @@ void MainWindow::connect_panels() {
   connect(run_files_, &RunFileActions::file_used, file_actions_, &FileActions::note_recent);
   connect(run_files_, &RunFileActions::close_window, this, &QWidget::close);
   connect(runs_panel_, &RunsPanel::compared_changed, this, &MainWindow::update_plots);
+  connect(runs_panel_, &RunsPanel::remove_requested, this, [this](RunId id) {
+    if (!read_preferences(*settings_).ask_about_runs || run_files_->may_remove(id)) session_->remove_run(id);
+  });
   connect(findings_updater_.get(), &FindingsUpdater::evaluated, this, [this](const FindingsResult& result) {
     findings_->set_findings(result.findings, result.running);
     const bool known = !result.findings.empty();
@@ -188,7 +202,20 @@ void MainWindow::restore_layout() {
 
 QString MainWindow::notice() const { return notice_->isHidden() ? QString() : notice_->text(); }
 
-void MainWindow::show_notice(const QString& text) { notice_->show_text(text); }
+void MainWindow::show_notice(const QString& text) {
+  scenario_notice_ = false;
+  notice_->show_text(text);
+}
+
+void MainWindow::show_scenario_notice(const QString& text) {
+  show_notice(text);
+  scenario_notice_ = true;
+}
+
+void MainWindow::withdraw_scenario_notice() {
+  const bool sound = !editor_->text_page()->has_problem() && document_->diagnostics().ok();
+  if (scenario_notice_ && sound) show_notice({});
+}
 
 void MainWindow::ask_for_preferences() {
   PreferencesDialog dialog(read_preferences(*settings_), session_->runs().cache_bytes(), this);
@@ -203,13 +230,13 @@ void MainWindow::apply_preferences(const Preferences& preferences) {
 
 std::optional<Scenario> MainWindow::scenario_to_run() {
   if (!editor_->commit()) {
-    show_notice(tr("The scenario's text has an error: see the editor."));
+    show_scenario_notice(tr("The scenario's text has an error: see the editor."));
     return std::nullopt;
   }
   const Diagnostics& problems = document_->diagnostics();
   if (!problems.ok()) {
     const Diagnostic& first = problems.list().front();
-    show_notice(tr("This scenario cannot be simulated: %1").arg(QString::fromStdString(first.text())));
+    show_scenario_notice(tr("This scenario cannot be simulated: %1").arg(QString::fromStdString(first.text())));
     editor_->reveal(QString::fromStdString(first.key));
     return std::nullopt;
   }
@@ -313,7 +340,7 @@ void MainWindow::update_title() {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   const bool keeps_runs = read_preferences(*settings_).ask_about_runs;
-  if (!file_actions_->may_discard() || (keeps_runs && !run_files_->may_close())) {
+  if (!exports_->may_close() || !file_actions_->may_discard() || (keeps_runs && !run_files_->may_close())) {
     event->ignore();
     return;
   }
@@ -323,14 +350,18 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  if (!file_to_open(*event->mimeData()).isEmpty()) event->acceptProposedAction();
+  if (!files_to_open(*event->mimeData()).isEmpty()) event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-  const QString path = file_to_open(*event->mimeData());
-  if (path.isEmpty()) return;
+  const QStringList paths = files_to_open(*event->mimeData());
+  if (paths.isEmpty()) return;
   event->acceptProposedAction();
-  open(path);
+  // Afterwards: a question would hold up the program that the files come from.
+  const auto open_all = [this, paths] {
+    for (const QString& path : paths) open(path);
+  };
+  QMetaObject::invokeMethod(this, open_all, Qt::QueuedConnection);
 }
 
 // A focused button or list keeps the space bar, which runs and pauses everywhere else.

@@ -90,12 +90,16 @@ class MainWindow : public QMainWindow {
   QWidget* make_center(const QString& run_folder);
   void make_docks();
   void make_menus(const WindowOptions& options);
+  void fill_panels(QMenu& menu);
   void make_help(QMenu& menu, const QString& about);
   void connect_document();
   void connect_session();
   void connect_panels();
   void restore_layout();
 
+  // What is wrong with the scenario: goes when it has been put right.
+  void show_scenario_notice(const QString& text);
+  void withdraw_scenario_notice();
   void show_preview(const PocketPreview& preview);
   void show_frame(const std::shared_ptr<const Snapshot>& snapshot);
   void run_changed();
@@ -131,6 +135,7 @@ class MainWindow : public QMainWindow {
   FileActions* file_actions_ = nullptr;
   RunFileActions* run_files_ = nullptr;
   ExportTray* exports_ = nullptr;
+  bool scenario_notice_ = false;
   PresenterKind presenter_;
   ViewHistory history_;  // of the first view
 };

@@ -25,6 +25,20 @@
 #include "gui/workbench/viewport/viewport.h"
 
 namespace netpocket {
+namespace {
+
+void go_to_panel(QDockWidget& dock) {
+  dock.show();
+  dock.raise();
+  const QWidget* content = dock.widget();
+  for (QWidget* part = dock.widget(); part != nullptr; part = part->nextInFocusChain()) {
+    const bool takes_keys = part->isVisible() && part->isEnabled() && (part->focusPolicy() & Qt::TabFocus);
+    if (takes_keys && (part == content || content->isAncestorOf(part))) return part->setFocus(Qt::ShortcutFocusReason);
+    if (part->nextInFocusChain() == content) return;
+  }
+}
+
+}  // namespace
 
 QWidget* MainWindow::make_center(const QString& run_folder) {
   auto* center = new QWidget;
@@ -122,13 +136,30 @@ void MainWindow::make_menus(const WindowOptions& options) {
   time->addActions(timeline_->playback_actions());
 
   view->addSeparator();
-  auto* docks = view->addMenu(tr("Panels"));
-  for (auto* dock : findChildren<QDockWidget*>()) docks->addAction(dock->toggleViewAction());
+  fill_panels(*view->addMenu(tr("Panels")));
   auto* full = view->addAction(tr("Full screen"), QKeySequence(Qt::Key_F11), this,
                                [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
   full->setStatusTip(tr("Use the whole screen"));
 
   make_help(*help, options.about);
+}
+
+// Panels to show or hide, and keys that go to them.
+void MainWindow::fill_panels(QMenu& menu) {
+  QList<QDockWidget*> docks;
+  for (const char* name : {"scenario", "plots", "findings", "runs"}) docks << findChild<QDockWidget*>(name);
+  for (auto* dock : docks) menu.addAction(dock->toggleViewAction());
+  menu.addSeparator();
+  menu.setToolTipsVisible(true);
+  auto* view = menu.addAction(tr("Go to the view"), QKeySequence(Qt::ALT | Qt::Key_0), viewport_,
+                              [this] { viewport_->setFocus(Qt::ShortcutFocusReason); });
+  view->setStatusTip(tr("Let the keys act on the view"));
+  for (int i = 0; i < docks.size(); ++i) {
+    const Qt::Key key = static_cast<Qt::Key>(Qt::Key_1 + i);
+    auto* go = menu.addAction(tr("Go to %1").arg(docks[i]->windowTitle().toLower()), QKeySequence(Qt::ALT | key), this,
+                              [dock = docks[i]] { go_to_panel(*dock); });
+    go->setStatusTip(tr("Show this panel and let the keys act on it"));
+  }
 }
 
 void MainWindow::make_help(QMenu& menu, const QString& about) {

@@ -13,6 +13,7 @@
 
 #include "gui/workbench/export/export_dialog.h"
 #include "gui/workbench/export/export_tray.h"
+#include "gui/workbench/panels/ask_for_file.h"
 #include "render/scene/view_file.h"
 
 namespace netpocket {
@@ -61,9 +62,8 @@ void RunFileActions::save_shown() {
   }
   const RunId id = run->id;
   const QString name = QDir(folder_()).filePath(run->name + ".h5");
-  QString path = QFileDialog::getSaveFileName(window_, tr("Save run"), name, tr("Recordings (*.h5)"));
+  const QString path = ask_for_path(window_, {tr("Save run"), name, tr("Recordings (*.h5)"), "h5"});
   if (path.isEmpty()) return;
-  if (QFileInfo(path).suffix().isEmpty()) path += ".h5";
   emit file_used(path);
   session_.runs().save(id, path);
 }
@@ -130,6 +130,17 @@ bool RunFileActions::may_close() {
   closing_ = true;
   save_unsaved_to(folder);
   return false;
+}
+
+bool RunFileActions::may_remove(RunId id) {
+  const Run* run = session_.runs().find(id);
+  if (run == nullptr || !run->is_unsaved()) return true;
+  QMessageBox box(QMessageBox::Question, tr("Unsaved run"), tr("Remove the run \"%1\"?").arg(run->name),
+                  QMessageBox::Discard | QMessageBox::Cancel, window_);
+  box.setInformativeText(tr("It is not saved: what was simulated is lost."));
+  box.button(QMessageBox::Discard)->setText(tr("Remove"));
+  box.setDefaultButton(QMessageBox::Cancel);
+  return box.exec() == QMessageBox::Discard;
 }
 
 void RunFileActions::run_saved() {

@@ -36,6 +36,8 @@ class RunFileActions : public QObject {
   // Whether the window may close as far as runs are concerned. False: the user wants to keep them, and close_window()
   // follows once they are saved.
   bool may_close();
+  // Whether a run may go: saved, or given up on purpose.
+  bool may_remove(RunId id);
 
  signals:
   void problem(const QString& sentence);

@@ -1,8 +1,11 @@
 #include "gui/workbench/run_status_bar.h"
 
+#include <QEvent>
 #include <QLabel>
 #include <algorithm>
 #include <cmath>
+
+#include "gui/workbench/panels/tones.h"
 
 namespace netpocket {
 namespace {
@@ -67,6 +70,8 @@ QLabel* RunStatusBar::add_field(const QString& help, const char* widest) {
 void RunStatusBar::show_run(const Run* run, std::size_t frame) {
   const bool any = run != nullptr && run->frame_count() > 0;
   state_->setText(run ? state_text(*run) : tr("No run"));
+  diverged_ = run != nullptr && run->status.reason == RunReason::diverged;
+  colour_state();
   for (QLabel* label : {time_, speed_, step_, contacts_, energy_}) label->setVisible(any);
   if (!any) return;
   const std::size_t last = std::min(frame, run->frame_count() - 1);
@@ -77,6 +82,17 @@ void RunStatusBar::show_run(const Run* run, std::size_t frame) {
   step_->setVisible(!step_->text().isEmpty());
   contacts_->setText(tr("contacts: %1").arg(run->series.channel(Channel::contact_count)[last]));
   energy_->setText(energy_text(run->series, last));
+}
+
+void RunStatusBar::colour_state() {
+  QPalette own;
+  if (diverged_) own.setColor(QPalette::WindowText, tone_colour(Tone::bad, palette()));
+  state_->setPalette(own);
+}
+
+void RunStatusBar::changeEvent(QEvent* event) {
+  QStatusBar::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) colour_state();
 }
 
 }  // namespace netpocket

@@ -16,10 +16,17 @@ class RunStatusBar : public QStatusBar {
 
   // The run that is shown, if any, and which of its frames.
   void show_run(const Run* run, std::size_t frame);
+  const QLabel* state_field() const { return state_; }
+
+ protected:
+  void changeEvent(QEvent* event) override;
 
  private:
   QLabel* add_field(const QString& help, const char* widest);
 
+  void colour_state();
+
+  bool diverged_ = false;
   QLabel *state_, *time_, *speed_, *step_, *contacts_, *energy_;
 };
 

@@ -1,11 +1,14 @@
 #include "gui/workbench/runs_panel.h"
 
 #include <QAction>
+#include <QEvent>
 #include <QHeaderView>
 #include <QLabel>
 #include <QMenu>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
+
+#include "gui/workbench/panels/tones.h"
 
 namespace netpocket {
 namespace {
@@ -67,7 +70,7 @@ RunsPanel::RunsPanel(CaptureSession& session, QWidget* parent)
   remove_action->setShortcutContext(Qt::WidgetShortcut);
   list_->addAction(remove_action);
   connect(remove_action, &QAction::triggered, this, [this] {
-    if (const auto* item = list_->currentItem()) session_.remove_run(id_of(*item));
+    if (const auto* item = list_->currentItem()) emit remove_requested(id_of(*item));
   });
   connect(list_, &QTreeWidget::customContextMenuRequested, this, &RunsPanel::show_menu);
   connect(list_, &QTreeWidget::currentItemChanged, this, [this](const QTreeWidgetItem* item) {
@@ -124,6 +127,14 @@ void RunsPanel::refresh(RunId id) {
   item->setText(kName, run->name);
   item->setText(kTime, tr("%1 s").arg(run->end_time(), 0, 'f', 2));
   item->setText(kState, state_name(*run));
+  const bool diverged = run->status.reason == RunReason::diverged;
+  item->setForeground(kState, diverged ? tone_colour(Tone::bad, palette()) : QBrush());
+}
+
+void RunsPanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() != QEvent::PaletteChange) return;
+  for (const RunId id : session_.runs().ids()) refresh(id);
 }
 
 void RunsPanel::mark_current() {
@@ -155,7 +166,7 @@ void RunsPanel::show_menu(const QPoint& position) {
   if (item == nullptr) return;
   QMenu menu;
   menu.addAction(tr("Rename"), this, [this, item] { list_->editItem(item, kName); });
-  menu.addAction(tr("Remove"), this, [this, item] { session_.remove_run(id_of(*item)); });
+  menu.addAction(tr("Remove"), this, [this, item] { emit remove_requested(id_of(*item)); });
   menu.exec(list_->viewport()->mapToGlobal(position));
 }
 

@@ -21,6 +21,10 @@ class RunsPanel : public QWidget {
 
  signals:
   void compared_changed();
+  void remove_requested(netpocket::RunId id);
+
+ protected:
+  void changeEvent(QEvent* event) override;
 
  private:
   QTreeWidgetItem* item_of(RunId id) const;

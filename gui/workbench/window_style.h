@@ -1,6 +1,6 @@
 #pragma once
-// The desktop's style, with boxes to tick whose frames can be seen on dark grounds: Qt's Fusion draws them in nearly
-// the ground's colour.
+// The desktop's style, made readable on dark grounds: boxes to tick get frames that can be seen (Qt's Fusion draws them
+// in nearly the ground's colour), dialogs' buttons get no icons, which are black there.
 
 #include <QProxyStyle>
 
@@ -14,6 +14,8 @@ class WindowStyle : public QProxyStyle {
 
   void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                      const QWidget* widget) const override;
+  int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                QStyleHintReturn* answer) const override;
 };
 
 }  // namespace netpocket

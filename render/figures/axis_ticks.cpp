@@ -67,7 +67,7 @@ AxisLimits padded_limits(double low, double high, double margin, double minimum_
   const auto around_middle = [middle](double half) { return AxisLimits{middle - half, middle + half}; };
   const double round_off = 1e-12 * size;
   if (high - low <= std::max(minimum_span, round_off)) {
-    if (minimum_span > round_off) return around_middle(minimum_span / 2);
+    if (size > 0 && minimum_span > round_off) return around_middle(minimum_span / 2);
     return around_middle(size > 0 ? 0.05 * size : 1.0);
   }
   const double pad = margin * (high - low);

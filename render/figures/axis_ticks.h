@@ -28,7 +28,7 @@ struct AxisTicks {
 double nice_step(double span, int intervals);
 
 // Widens [low, high] by a fraction of its span at either end, to at least `minimum_span`, and to something that can be
-// drawn when low equals high.
+// drawn when low equals high. What is nothing but 0 has no scale: it gets [-1, 1].
 AxisLimits padded_limits(double low, double high, double margin, double minimum_span);
 
 AxisTicks make_ticks(const AxisLimits& limits, int intervals);

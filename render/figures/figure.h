@@ -7,6 +7,7 @@
 
 #include <cairo.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,10 +38,11 @@ struct PhaseBand {
   FigureColour colour;
 };
 
-// One axis. Its limits follow from the curves: tight in x, with a margin in y.
+// One axis. Unless given, its limits follow from the curves: tight in x, with a margin in y.
 struct PanelAxis {
   std::string title;        // quantity and unit, e.g. "Time (s)"
   double minimum_span = 0;  // shows smaller variations, such as round-off, as the flat line they are
+  std::optional<AxisLimits> limits;
 };
 
 // Says "no data" when no point of its curves is finite.

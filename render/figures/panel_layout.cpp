@@ -54,6 +54,7 @@ std::vector<PanelRange> data_ranges(const Figure& figure) {
 }
 
 AxisLimits axis_limits(const PanelAxis& axis, const DataRange& range, double margin) {
+  if (axis.limits) return *axis.limits;
   return range.empty() ? AxisLimits{} : padded_limits(range.low, range.high, margin, axis.minimum_span);
 }
 

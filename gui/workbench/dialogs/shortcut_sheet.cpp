@@ -58,6 +58,15 @@ std::vector<Section> sections(const QMenuBar& menus) {
                       {{ShortcutSheet::tr("Left, right"), ShortcutSheet::tr("One frame back, on")},
                        {ShortcutSheet::tr("Page Up, Page Down"), ShortcutSheet::tr("One second back, on")},
                        {ShortcutSheet::tr("Home, End"), ShortcutSheet::tr("Start, end")}}});
+  sections.push_back({ShortcutSheet::tr("Plots"),
+                      {{ShortcutSheet::tr("Click"), ShortcutSheet::tr("Go to this time")},
+                       {ShortcutSheet::tr("Wheel, + −"), ShortcutSheet::tr("Zoom in time")},
+                       {ShortcutSheet::tr("Drag, left, right"), ShortcutSheet::tr("Pan in time")},
+                       {ShortcutSheet::tr("Double click, Home"), ShortcutSheet::tr("All times")}}});
+  sections.push_back({ShortcutSheet::tr("Runs"),
+                      {{ShortcutSheet::tr("Up, down"), ShortcutSheet::tr("Show this run")},
+                       {ShortcutSheet::tr("Space"), ShortcutSheet::tr("Draw it over the shown run in the plots")},
+                       {ShortcutSheet::tr("F2, Del"), ShortcutSheet::tr("Rename, remove")}}});
   return sections;
 }
 

@@ -1,5 +1,6 @@
 #include "gui/workbench/editor/message_bar.h"
 
+#include <QApplication>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -43,16 +44,17 @@ void MessageBar::show_text(const QString& text) {
 QString MessageBar::text() const { return label_->text(); }
 
 void MessageBar::set_colours() {
-  const QPalette inherited = parentWidget() ? parentWidget()->palette() : palette();
-  QPalette colours = inherited;
-  colours.setColor(QPalette::Window, ground_colour(tone_, inherited));
-  label_->setPalette(colours);
-  setBackgroundRole(QPalette::Window);
-  if (palette() != colours) setPalette(colours);
+  const QPalette inherited = parentWidget() ? parentWidget()->palette() : QApplication::palette();
+  const QColor ground = ground_colour(tone_, inherited);
+  if (palette().color(QPalette::Window) == ground) return;
+  // Of its own only the ground: everything else follows the window, also when that turns dark.
+  QPalette own;
+  own.setColor(QPalette::Window, ground);
+  setPalette(own);
 }
 
 void MessageBar::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::ParentChange || event->type() == QEvent::ApplicationPaletteChange) set_colours();
+  if (event->type() == QEvent::ParentChange || event->type() == QEvent::PaletteChange) set_colours();
   QFrame::changeEvent(event);
 }
 

@@ -102,8 +102,9 @@ void ParameterRow::place_field() {
     layout_->addWidget(field_, 1, 0, 1, 2);
     layout_->addWidget(unit_, 0, 1, Qt::AlignLeft | Qt::AlignVCenter);
   } else {
-    const bool long_text = parameter_.type == ParameterType::text;  // takes the place of the unit it does not have
-    layout_->addWidget(field_, 0, 1, 1, long_text ? 2 : 1);
+    // Words take the place of the unit they do not have.
+    const bool words = parameter_.type == ParameterType::text || parameter_.type == ParameterType::choice;
+    layout_->addWidget(field_, 0, 1, 1, words ? 2 : 1);
     layout_->addWidget(unit_, 0, 2, Qt::AlignVCenter);
   }
 }

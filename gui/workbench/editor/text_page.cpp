@@ -1,5 +1,6 @@
 #include "gui/workbench/editor/text_page.h"
 
+#include <QEvent>
 #include <QLabel>
 #include <QTextBlock>
 #include <QVBoxLayout>
@@ -68,13 +69,22 @@ void TextPage::set_problems(Diagnostics problems) {
     if (diagnostic.line > 0) lines[diagnostic.line] = QString::fromStdString(diagnostic.message);
   }
   view_->mark_lines(lines);
-  QPalette colours = palette();
-  colours.setColor(QPalette::Window, ground_colour(Tone::bad, palette()));
-  colours.setColor(QPalette::WindowText, tone_colour(Tone::bad, palette()));
-  status_->setPalette(colours);
+  colour_status();
   status_->setText(texts.mid(0, 4).join('\n'));
   status_->setVisible(!texts.isEmpty());
   emit problem_changed();
+}
+
+void TextPage::colour_status() {
+  QPalette own;
+  own.setColor(QPalette::Window, ground_colour(Tone::bad, palette()));
+  own.setColor(QPalette::WindowText, tone_colour(Tone::bad, palette()));
+  status_->setPalette(own);
+}
+
+void TextPage::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) colour_status();
 }
 
 void TextPage::go_to_problem() {

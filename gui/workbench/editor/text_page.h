@@ -33,7 +33,11 @@ class TextPage : public QWidget {
  signals:
   void problem_changed();
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
+  void colour_status();
   void show_document();
   void set_problems(Diagnostics problems);
 

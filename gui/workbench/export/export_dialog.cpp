@@ -7,7 +7,9 @@
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <array>
@@ -73,14 +75,15 @@ ExportDialog::ExportDialog(const QString& folder, const QString& name, const Sho
   rate_->setValue(25);
   rate_->setDecimals(1);
   rate_->setSuffix(tr(" per simulated second"));
-  form_->addRow(tr("What:"), kind_);
-  form_->addRow(tr("To:"), make_target_row());
-  form_->addRow(tr("Pictures:"), rate_);
-  form_->addRow(tr("Size:"), size_);
-  form_->addRow(tr("Camera:"), camera_);
-  form_->addRow(tr("Colours:"), colors_);
-  form_->addRow(tr("Background:"), background_);
-  form_->addRow(tr("Format:"), format_);
+  form_->addRow(tr("&What:"), kind_);
+  form_->addRow(tr("&To:"), make_target_row());
+  qobject_cast<QLabel*>(form_->labelForField(target_->parentWidget()))->setBuddy(target_);
+  form_->addRow(tr("&Pictures:"), rate_);
+  form_->addRow(tr("&Size:"), size_);
+  form_->addRow(tr("&Camera:"), camera_);
+  form_->addRow(tr("C&olours:"), colors_);
+  form_->addRow(tr("&Background:"), background_);
+  form_->addRow(tr("&Format:"), format_);
   form_->addRow(buttons_);
   buttons_->button(QDialogButtonBox::Ok)->setText(tr("Export"));
   connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
@@ -113,6 +116,8 @@ QString ExportDialog::label() const { return kind_->currentText(); }
 
 void ExportDialog::kind_changed() {
   const KindEntry& entry = kKinds[static_cast<std::size_t>(kind_->currentIndex())];
+  // In the folder that was chosen last.
+  if (!target().isEmpty()) folder_ = QFileInfo(target()).path();
   set_target(QDir(folder_).filePath(name_ + entry.target));
   const auto show = [this](QWidget* field, bool shown) {
     field->setVisible(shown);
@@ -130,9 +135,25 @@ void ExportDialog::kind_changed() {
 void ExportDialog::browse() {
   const bool is_file = kind() == ExportKind::video || kind() == ExportKind::sheet || kind() == ExportKind::moment ||
                        kind() == ExportKind::report;
-  const QString path = is_file ? QFileDialog::getSaveFileName(this, tr("Export to"), target())
+  const auto asks_later = QFileDialog::DontConfirmOverwrite;
+  const QString path = is_file ? QFileDialog::getSaveFileName(this, tr("Export to"), target(), {}, nullptr, asks_later)
                                : QFileDialog::getExistingDirectory(this, tr("Export to"), folder_);
   if (!path.isEmpty()) set_target(path);
+}
+
+void ExportDialog::accept() {
+  const QFileInfo place(target());
+  const bool taken = place.isDir() ? !QDir(target()).isEmpty() : place.exists();
+  if (taken) {
+    QMessageBox box(QMessageBox::Question, tr("Export"), tr("\"%1\" exists already.").arg(target()),
+                    QMessageBox::Yes | QMessageBox::Cancel, this);
+    box.setInformativeText(place.isDir() ? tr("Files in it that have the same names will be replaced.")
+                                         : tr("It will be replaced."));
+    box.button(QMessageBox::Yes)->setText(tr("Replace"));
+    box.setDefaultButton(QMessageBox::Cancel);
+    if (box.exec() != QMessageBox::Yes) return;
+  }
+  QDialog::accept();
 }
 
 bool ExportDialog::uses_view() const {

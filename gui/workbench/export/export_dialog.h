@@ -42,6 +42,9 @@ class ExportDialog : public QDialog {
   bool uses_view() const;
   const CameraView& view() const { return shown_.camera; }
 
+  // Asks first when something is there already that would be replaced.
+  void accept() override;
+
  private:
   QWidget* make_target_row();
   void kind_changed();

@@ -2,7 +2,9 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMessageBox>
 #include <QProgressBar>
+#include <QPushButton>
 #include <QToolButton>
 
 namespace netpocket {
@@ -17,6 +19,7 @@ ExportTray::ExportTray(QWidget* parent) : QWidget(parent), label_(new QLabel), p
   cancel_button->setToolTip(tr("Cancel this export"));
   cancel_button->setAccessibleName(tr("Cancel this export"));
   connect(cancel_button, &QToolButton::clicked, this, &ExportTray::cancel);
+  setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(label_);
@@ -34,6 +37,19 @@ void ExportTray::cancel() {
   if (job_) job_->cancel();
 }
 
+bool ExportTray::may_close() {
+  if (!is_busy()) return true;
+  QMessageBox box(QMessageBox::Question, tr("Export"), tr("\"%1\" is still being exported.").arg(job_->label()),
+                  QMessageBox::Discard | QMessageBox::Cancel, window());
+  box.setInformativeText(tr("Closing the window cancels it."));
+  box.button(QMessageBox::Discard)->setText(tr("Close"));
+  box.button(QMessageBox::Cancel)->setText(tr("Wait"));
+  box.setDefaultButton(QMessageBox::Cancel);
+  // It may end while the question stands.
+  connect(this, &ExportTray::finished, &box, [&box] { box.done(QMessageBox::Discard); });
+  return box.exec() == QMessageBox::Discard;
+}
+
 void ExportTray::start_next() {
   if (waiting_.empty()) {
     hide();
@@ -46,7 +62,10 @@ void ExportTray::start_next() {
     emit finished(job_->result());
     end();
   });
-  connect(job_.get(), &ExportJob::cancelled, this, &ExportTray::end);
+  connect(job_.get(), &ExportJob::cancelled, this, [this] {
+    emit cancelled(job_->label());
+    end();
+  });
   connect(job_.get(), &ExportJob::failed, this, [this](const QString& reason) {
     emit failed(reason);
     end();

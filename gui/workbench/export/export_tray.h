@@ -21,10 +21,13 @@ class ExportTray : public QWidget {
   void add(std::unique_ptr<ExportJob> job);
   bool is_busy() const { return job_ != nullptr; }
   void cancel();
+  // Whether the window may close: nothing is under way, or it is given up on purpose.
+  bool may_close();
 
  signals:
   void finished(const QString& result);
   void failed(const QString& reason);
+  void cancelled(const QString& label);
 
  private:
   void start_next();

@@ -17,6 +17,8 @@ constexpr double kWheelStep = 1.2;        // zoom by a notch of the wheel
 constexpr double kNotch = 120;            // wheel units
 constexpr double kShortestWindow = 1e-4;  // of all time
 constexpr double kKeyPan = 0.1;           // of the window
+constexpr int kFlatRow = 105;             // pixels, lower rows are hard to read
+constexpr int kNarrowPanel = 135;         // pixels, narrower panels are hard to read
 
 }  // namespace
 
@@ -67,7 +69,20 @@ void ChartView::zoom(double factor) {
   if (const auto range = shown_range()) zoom_about((range->begin + range->end) / 2, factor);
 }
 
-Figure ChartView::shown_figure() const { return window_ ? cut(figure_, *window_) : figure_; }
+Figure ChartView::shown_figure() const {
+  Figure shown = window_ ? cut(figure_, *window_) : figure_;
+  if (const auto range = shown_range()) share_time(shown, *range);
+  shown.columns = fitting_columns();
+  return shown;
+}
+
+int ChartView::fitting_columns() const {
+  const int wanted = std::max(figure_.columns, 1), count = static_cast<int>(figure_.panels.size());
+  int columns = std::clamp(width() / panel_width_, 1, wanted);
+  const auto row_height = [&] { return height() / std::max(1, (count + columns - 1) / columns); };
+  while (columns < wanted && row_height() < kFlatRow && width() / (columns + 1) >= kNarrowPanel) ++columns;
+  return columns;
+}
 
 std::optional<TimeRange> ChartView::shown_range() const { return window_ ? window_ : time_range(figure_); }
 
@@ -130,10 +145,7 @@ void ChartView::paintEvent(QPaintEvent*) {
     return;
   }
   if (stale_) {
-    Figure shown = shown_figure();
-    const int across = std::max(1, width() / panel_width_);
-    shown.columns = std::min(std::max(shown.columns, 1), across);
-    drawn_ = figure_image(shown, size(), devicePixelRatioF(), palette());
+    drawn_ = figure_image(shown_figure(), size(), devicePixelRatioF(), palette());
     stale_ = false;
   }
   painter.drawImage(QPoint(0, 0), drawn_.image);

@@ -17,11 +17,13 @@ class ChartView : public QWidget {
  public:
   explicit ChartView(QWidget* parent = nullptr);
 
-  // The figure's title is not drawn and its columns give way to the width of the widget.
+  // The figure's title is not drawn, all panels show the same stretch of time, and the columns give way to the size of
+  // the widget.
   void set_figure(Figure figure);
   const Figure& figure() const { return figure_; }
 
-  // Pixels that a panel should have; where there are fewer, panels stand below each other.
+  // Pixels that a panel should have; where there are fewer, panels stand below each other, unless they would become too
+  // flat to read.
   void set_panel_width(int width);
 
   // Shown instead of a figure without data.
@@ -41,7 +43,7 @@ class ChartView : public QWidget {
   // Zooms about the middle of what is shown; factors below 1 show less time.
   void zoom(double factor);
 
-  // The figure as shown: cut to the window.
+  // The figure as shown: cut to the window, in as many columns as there is room for.
   Figure shown_figure() const;
 
   // The time under a point of the widget, if it is in the frame of a panel.
@@ -73,6 +75,7 @@ class ChartView : public QWidget {
   enum class Drag { none, pressed, pan, cursor };
 
   std::optional<TimeRange> shown_range() const;
+  int fitting_columns() const;
   const PanelFrame* frame_at(const QPointF& point) const;
   void zoom_about(double time, double factor);
   void pan(double seconds);

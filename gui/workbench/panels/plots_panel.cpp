@@ -42,7 +42,8 @@ QStringList panel_values(const Panel& panel, double time, const QPalette& palett
     if (curve.marker != Marker::none || (labelled && curve.label.empty())) continue;
     const auto value = value_at(curve, time);
     const std::string& name = curve.label.empty() ? panel.y.title : curve.label;
-    if (value) values << value_html(curve, to_html(name), *value, palette);
+    // A name stays in one line with its value.
+    if (value) values << value_html(curve, to_html(name).replace(' ', QChar::Nbsp), *value, palette);
   }
   return values;
 }
@@ -199,6 +200,7 @@ QString PlotsPanel::values_text() const { return values_->text(); }
 std::optional<QString> PlotsPanel::export_figure(const QString& path) const {
   Figure figure = make_figure();
   if (const auto window = chart_->window()) figure = cut(figure, *window);
+  if (const auto range = chart_->window() ? chart_->window() : time_range(figure)) share_time(figure, *range);
   try {
     save_figure(figure, std::filesystem::path(path.toStdString()));
   } catch (const FigureError& error) {

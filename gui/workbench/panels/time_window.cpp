@@ -52,6 +52,10 @@ Figure cut(const Figure& figure, const TimeRange& range) {
   return result;
 }
 
+void share_time(Figure& figure, const TimeRange& range) {
+  for (Panel& panel : figure.panels) panel.x.limits = AxisLimits{range.begin, range.end};
+}
+
 std::optional<double> value_at(const Curve& curve, double time) {
   const std::size_t count = point_count(curve);
   if (count == 0 || !(time >= curve.x.front() && time <= curve.x[count - 1])) return std::nullopt;

@@ -21,6 +21,9 @@ std::optional<TimeRange> time_range(const Figure& figure);
 // The figure cut to a range of time. Curves are interpolated at its ends, so that the axes show exactly the range.
 Figure cut(const Figure& figure, const TimeRange& range);
 
+// All panels show this range of time, also those whose curves end before.
+void share_time(Figure& figure, const TimeRange& range);
+
 // The curve's value, linear between points; empty outside its points and next to a gap.
 std::optional<double> value_at(const Curve& curve, double time);
 

@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QStringList>
+#include <algorithm>
 #include <cmath>
 
 #include "render/scene/element_curve.h"
@@ -17,8 +18,13 @@ QString quantity(double value, const char* unit) {
   return QString("%1 %2").arg(shown, 0, 'g', 4).arg(QString::fromUtf8(unit)).trimmed();
 }
 
+// All components to the same place: the third digit of the largest, but three to six decimals.
 QString vector(const Eigen::Vector3d& v, const char* unit) {
-  const auto number = [](double x) { return QString::number(std::abs(x) < 5e-4 ? 0 : x, 'f', 3); };
+  const double largest = v.cwiseAbs().maxCoeff();
+  const int wanted = largest > 0 && std::isfinite(largest) ? 2 - static_cast<int>(std::floor(std::log10(largest))) : 3;
+  const int decimals = largest < 5e-7 ? 3 : std::clamp(wanted, 3, 6);
+  const double invisible = 0.5 * std::pow(10, -decimals);
+  const auto number = [&](double x) { return QString::number(std::abs(x) < invisible ? 0 : x, 'f', decimals); };
   return QString("%1, %2, %3 %4").arg(number(v.x()), number(v.y()), number(v.z()), QString::fromUtf8(unit));
 }
 

@@ -120,6 +120,30 @@ TEST_F(Chart, WindowsStayWithinTheRun) {
   EXPECT_FALSE(chart.window());
 }
 
+// Runs of different lengths can be compared.
+TEST_F(Chart, AllPanelsShowTheSameTimes) {
+  Figure figure = straight_line();
+  figure.panels.push_back(cut(figure, {0, 2}).panels[0]);
+  chart.set_figure(figure);
+  chart.grab();
+  for (const Panel& panel : chart.shown_figure().panels) EXPECT_EQ(panel.x.limits, (AxisLimits{0, 10}));
+  chart.set_window(TimeRange{1, 3});
+  for (const Panel& panel : chart.shown_figure().panels) EXPECT_EQ(panel.x.limits, (AxisLimits{1, 3}));
+}
+
+TEST_F(Chart, ColumnsGiveWayToTheWidthUnlessRowsBecomeFlat) {
+  Figure figure = straight_line();
+  figure.panels.resize(6, figure.panels[0]);
+  figure.columns = 2;
+  chart.set_figure(figure);
+  chart.resize(420, 380);
+  EXPECT_EQ(chart.shown_figure().columns, 2) << "6 rows of 63 pixels cannot be read";
+  chart.resize(420, 800);
+  EXPECT_EQ(chart.shown_figure().columns, 1);
+  chart.resize(240, 380);
+  EXPECT_EQ(chart.shown_figure().columns, 1) << "nor panels of 120 pixels";
+}
+
 TEST(FigureImage, TakesTheGroundOfThePalette) {
   QPalette dark;
   dark.setColor(QPalette::Base, QColor(30, 33, 36));

@@ -5,6 +5,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QStyleOptionComboBox>
 #include <QTableWidget>
 #include <QTest>
 #include <QToolButton>
@@ -19,6 +20,7 @@
 #include "gui/workbench/editor/scenario_editor.h"
 #include "gui/workbench/panels/chart_view.h"
 #include "temporary_document.h"
+#include "tests/gui/patience.h"
 
 namespace netpocket {
 namespace {
@@ -72,6 +74,7 @@ TEST_F(Form, StepsMergeIntoOneEdit) {
   EXPECT_EQ(document->scenario().target.radius, 5.0);
   EXPECT_EQ(document->undo_stack()->count(), 1);
   QTest::qWait(900);
+  QCoreApplication::processEvents();  // also when the process stood still meanwhile
   QTest::keyClick(&edit, Qt::Key_Up);
   EXPECT_EQ(document->undo_stack()->count(), 2) << "after a pause it is another edit";
 }
@@ -95,6 +98,21 @@ TEST_F(Form, AProblemOfTheWholeStandsAtItsParameter) {
   EXPECT_TRUE(row("closing.closed_length").problem().contains("shorter"));
   document->undo_stack()->undo();
   EXPECT_TRUE(row("closing.closed_length").problem().isEmpty());
+}
+
+TEST_F(Form, ChoicesShowTheirLongestWord) {
+  editor.resize(330, 800);  // as the window starts
+  QCoreApplication::processEvents();
+  for (const char* key : {"towing.mode", "solver.evaluation", "closing.law"}) {
+    const auto& box = part<QComboBox>(key);
+    int longest = 0;
+    for (int i = 0; i < box.count(); ++i)
+      longest = std::max(longest, box.fontMetrics().horizontalAdvance(box.itemText(i)));
+    QStyleOptionComboBox option;
+    option.initFrom(&box);
+    const QRect room = box.style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, &box);
+    EXPECT_LE(longest, room.width()) << key;
+  }
 }
 
 TEST_F(Form, ChoiceChangesWhichFieldsAreUsed) {
@@ -236,7 +254,7 @@ TEST_F(Form, UndoKeyIsTheDocumentsUnlessSomethingIsTyped) {
   QAction* undo = document->undo_stack()->createUndoAction(&editor);
   undo->setShortcut(QKeySequence::Undo);
   editor.addAction(undo);
-  ASSERT_TRUE(QTest::qWaitForWindowActive(&editor));
+  ASSERT_TRUE(wait_patiently([&] { return editor.isActiveWindow(); }));
   EXPECT_FALSE(document->set_value(parameter("target.mass"), 150.0));
   auto& edit = part<NumberEdit>("target.radius");
   edit.setFocus();

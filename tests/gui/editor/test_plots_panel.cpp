@@ -6,6 +6,7 @@
 
 #include "gui/workbench/panels/plots_panel.h"
 #include "temporary_document.h"
+#include "tests/gui/patience.h"
 #include "tests/render/figures/synthetic_run.h"
 
 namespace netpocket {
@@ -19,7 +20,7 @@ class Plots : public testing::Test {
   }
   void settle() {
     const bool expected = !panel.series().empty();
-    EXPECT_TRUE(QTest::qWaitFor([&] { return time_range(panel.chart()->figure()).has_value() == expected; }));
+    EXPECT_TRUE(wait_patiently([&] { return time_range(panel.chart()->figure()).has_value() == expected; }));
     panel.grab();
   }
 

@@ -13,6 +13,7 @@
 #include "gui/workbench/editor/text_page.h"
 #include "gui/workbench/editor/toml_edit_view.h"
 #include "temporary_document.h"
+#include "tests/gui/patience.h"
 
 namespace netpocket {
 namespace {
@@ -38,7 +39,7 @@ class Text : public testing::Test {
 TEST_F(Text, APauseMakesItAnEdit) {
   type_at_end("length = 3");
   EXPECT_EQ(document->undo_stack()->count(), 0);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return document->scenario().target.length == 3; }));
+  EXPECT_TRUE(wait_patiently([&] { return document->scenario().target.length == 3; }));
   EXPECT_EQ(document->undo_stack()->count(), 1);
   EXPECT_EQ(editor.form()->row("target.length")->findChild<NumberEdit*>()->value(), 3);
 }

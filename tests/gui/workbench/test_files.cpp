@@ -2,6 +2,7 @@
 
 #include <QAbstractButton>
 #include <QDir>
+#include <QDockWidget>
 #include <QFile>
 #include <QTest>
 #include <QUndoStack>
@@ -13,6 +14,7 @@
 #include "gui/workbench/export/export_tray.h"
 #include "gui/workbench/lost_runs_bar.h"
 #include "gui/workbench/run_file_actions.h"
+#include "gui/workbench/runs_panel.h"
 #include "gui/workbench/session/run_folder.h"
 #include "gui/workbench/viewport/viewport.h"
 #include "tests/gui/workbench/window_fixture.h"
@@ -58,6 +60,24 @@ TEST_F(WindowTest, AsksBeforeUnsavedRunsAreLost) {
   EXPECT_FALSE(window_->close());
   answer_question(QMessageBox::Discard);
   EXPECT_TRUE(window_->close());
+}
+
+TEST_F(WindowTest, AsksBeforeAnUnsavedRunIsRemoved) {
+  window_->apply_preferences({.ask_about_runs = true});
+  ASSERT_TRUE(run_to(0.1));
+  auto& runs = window_->session().runs();
+  auto* list = window_->findChild<RunsPanel*>()->list();
+  window_->findChild<QDockWidget*>("runs")->raise();
+  list->setFocus();
+  answer_question(QMessageBox::Cancel);
+  QTest::keyClick(list, Qt::Key_Delete);
+  EXPECT_EQ(runs.ids().size(), 1u);
+  window_->activateWindow();
+  list->setFocus();
+  ASSERT_TRUE(wait_until([&] { return list->hasFocus(); }));
+  answer_question(QMessageBox::Discard);
+  QTest::keyClick(list, Qt::Key_Delete);
+  EXPECT_TRUE(runs.ids().empty());
 }
 
 TEST_F(WindowTest, SavedRunsAreNotAskedAbout) {
@@ -160,6 +180,44 @@ TEST_F(WindowTest, ExportsFromTheCameraOfTheView) {
   window_->run_files().export_as(dialog);
   ASSERT_TRUE(wait_until([&] { return QFile::exists(file("sheet.png")) || !window_->notice().isEmpty(); }, 60));
   EXPECT_EQ(window_->notice(), QString());
+}
+
+TEST_F(WindowTest, AsksBeforeAnExportReplacesAnything) {
+  ExportDialog dialog(folder_.path(), "quick", {}, window_.get());
+  dialog.choose(ExportKind::report);
+  write_file("there.html", "mine");
+  dialog.set_target(file("there.html"));
+  answer_question(QMessageBox::Cancel);
+  dialog.accept();
+  EXPECT_NE(dialog.result(), QDialog::Accepted);
+  answer_question(QMessageBox::Yes);
+  dialog.accept();
+  EXPECT_EQ(dialog.result(), QDialog::Accepted);
+  // An empty folder holds nothing to replace.
+  dialog.choose(ExportKind::csv);
+  QDir().mkpath(file("empty"));
+  dialog.set_target(file("empty"));
+  dialog.setResult(QDialog::Rejected);
+  dialog.accept();
+  EXPECT_EQ(dialog.result(), QDialog::Accepted);
+  // What is exported next goes where the last one was going to.
+  dialog.set_target(file("empty/quick_csv"));
+  dialog.choose(ExportKind::video);
+  EXPECT_EQ(dialog.target(), file("empty/quick.mp4"));
+}
+
+TEST_F(WindowTest, AsksBeforeClosingCancelsAnExport) {
+  ASSERT_TRUE(run_to(0.1));
+  window_->run_files().export_run(
+      [this](const QString& recording) {
+        return QStringList{"render", recording, "-o", file("frames"), "--fps", "50", "--size", "3840x2160"};
+      },
+      "pictures", file("frames"));
+  ASSERT_TRUE(wait_until([&] { return window_->exports().is_busy(); }));
+  answer_question(QMessageBox::Cancel);
+  EXPECT_FALSE(window_->close());
+  answer_question(QMessageBox::Discard);
+  EXPECT_TRUE(window_->close());
 }
 
 TEST_F(WindowTest, ExportsAReport) {

@@ -72,5 +72,16 @@ TEST(Picker, DescribesWhatWasPicked) {
   EXPECT_TRUE(node.detail.contains("rod")) << node.detail.toStdString();
 }
 
+// A spacecraft of more than a tonne moves by millimetres a second.
+TEST(Picker, TellsSmallVelocities) {
+  const ViewState state = case1_view(CameraPreset::front);
+  Snapshot snapshot = *state.snapshot;
+  snapshot.bodies[0].velocity = {1e-9, -0.0019834, 2e-5};
+  snapshot.bodies[0].angular_velocity = {0, 1e-12, 0};
+  const auto body = describe_pick({PickKind::body, 0, 0, {0, 0, 0}}, *state.structure, snapshot);
+  EXPECT_EQ(body.rows[1].value, "0.00000, -0.00198, 0.00002 m/s");
+  EXPECT_EQ(body.rows[2].value, "0.000, 0.000, 0.000 rad/s");
+}
+
 }  // namespace
 }  // namespace netpocket

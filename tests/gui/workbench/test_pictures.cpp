@@ -213,10 +213,9 @@ TEST_F(PictureTest, Running) {
 }
 
 TEST_F(PictureTest, Diverged) {
-  const RunStatus status = {
-      RunReason::diverged, 7,
-      "panel 3 row 2 (element 214), in contact with the target, moves at 1.65e+05 m/s in step 70000 "
-      "of 0.0001 s, at t = 7 s; try a solver.time_step below 5e-05 s"};
+  const RunStatus status = {RunReason::diverged, 7,
+                            "panel 3 row 2 (element 214), in contact with the target, moves at 165 km/s in step 70000 "
+                            "of 100 µs, at t = 7.0000 s; try a solver.time_step below 5e-05 s"};
   set_live_state(begin_live_run(), RunState::ended, status);
   emit window_->session().run_diverged(
       "The run has diverged and stands still: " + QString::fromStdString(status.message) + ".");

@@ -1,18 +1,24 @@
 #include <QCheckBox>
 #include <QDir>
 #include <QFile>
+#include <QLabel>
+#include <QTabWidget>
 #include <QTest>
 #include <QUndoStack>
 #include <algorithm>
 
 #include "gui/workbench/editor/message_bar.h"
 #include "gui/workbench/editor/scenario_editor.h"
+#include "gui/workbench/editor/text_page.h"
+#include "gui/workbench/editor/toml_edit_view.h"
 #include "gui/workbench/export/export_tray.h"
 #include "gui/workbench/file_actions.h"
 #include "gui/workbench/panels/findings_panel.h"
 #include "gui/workbench/panels/plots_panel.h"
+#include "gui/workbench/panels/tones.h"
 #include "gui/workbench/run_actions.h"
 #include "gui/workbench/run_file_actions.h"
+#include "gui/workbench/run_status_bar.h"
 #include "gui/workbench/timeline/timeline_bar.h"
 #include "gui/workbench/viewport/viewport.h"
 #include "tests/gui/workbench/window_fixture.h"
@@ -126,6 +132,9 @@ TEST_F(WindowTest, DivergenceNamesThePlaceAndKeepsTheFrames) {
   })) << notice.toStdString();
   EXPECT_TRUE(notice.contains("solver.time_step")) << notice.toStdString();
   EXPECT_GT(session.live()->frame_count(), 0u);
+  const QLabel& state = *window_->findChild<RunStatusBar*>()->state_field();
+  EXPECT_EQ(state.text(), "Diverged");
+  EXPECT_EQ(state.palette().color(QPalette::WindowText), tone_colour(Tone::bad, window_->palette()));
   screenshot("diverged");
   // What was wrong can be put right, and a new run made; the diverged one stays.
   ASSERT_FALSE(window_->document().set_value(parameter("solver.time_step"), 0.0));
@@ -168,9 +177,12 @@ TEST_F(WindowTest, TakesADroppedRecording) {
   ASSERT_TRUE(run_to(0.1));
   window_->session().runs().save(window_->session().current()->id, file("dropped.h5"));
   ASSERT_TRUE(wait_until([&] { return window_->session().runs().unsaved().empty(); }));
-  drop(file("dropped.h5"));
+  drop({file("dropped.h5")});
   ASSERT_TRUE(wait_until([&] { return window_->session().current()->name == "dropped"; }));
   EXPECT_EQ(window_->session().current()->state, RunState::recorded);
+  // Several at once, to be compared.
+  drop({file("dropped.h5"), file("dropped.h5")});
+  EXPECT_TRUE(wait_until([&] { return window_->session().runs().ids().size() == 4; }));
 }
 
 TEST_F(WindowTest, SavedCamerasComeBackInTheNextSession) {
@@ -207,10 +219,27 @@ TEST_F(WindowTest, BrokenFilesAreRefusedInOneSentence) {
   ASSERT_TRUE(wait_until([&] { return window_->notice().contains("missing.h5"); }));
 }
 
+TEST_F(WindowTest, WhatIsWrongWithTheScenarioIsNotSaidAnyLongerThanItIs) {
+  auto* text = window_->editor().text_page();
+  const QString sound = text->view()->toPlainText();
+  window_->editor().tabs()->setCurrentWidget(text);
+  text->view()->setPlainText(sound + "nonsense");
+  window_->run_actions().restart();
+  EXPECT_FALSE(window_->notice().isEmpty());
+  text->view()->setPlainText(sound);
+  EXPECT_TRUE(wait_until([&] { return window_->notice().isEmpty(); })) << window_->notice().toStdString();
+  // Numbers that do not go together.
+  ASSERT_FALSE(window_->document().set_value(parameter("closing.closed_length"), 100.0));
+  window_->run_actions().restart();
+  EXPECT_FALSE(window_->notice().isEmpty());
+  window_->document().undo_stack()->undo();
+  EXPECT_TRUE(window_->notice().isEmpty()) << window_->notice().toStdString();
+}
+
 TEST_F(WindowTest, TakesADroppedScenario) {
   write_file("dropped.toml", "name = \"dropped\"\n[pocket]\nrod_count = 6\n");
-  drop(file("dropped.toml"));
-  EXPECT_EQ(window_->document().scenario().name, "dropped");
+  drop({file("dropped.toml")});
+  ASSERT_TRUE(wait_until([&] { return window_->document().scenario().name == "dropped"; }));
   EXPECT_EQ(window_->document().scenario().pocket.rod_count, 6);
   EXPECT_TRUE(window_->file_actions().recent().front().endsWith("dropped.toml"));
 }
@@ -321,9 +350,20 @@ TEST_F(WindowTest, FollowsADarkDesktop) {
   QApplication::setPalette(dark);
   EXPECT_TRUE(wait_until([&] { return window_->viewport().options().background == Background::space; }));
   EXPECT_TRUE(run_to(0.4));
+  // Bars that were hidden when it turned dark.
+  ASSERT_FALSE(window_->document().set_value(parameter("net.diameter"), 0.005));
+  window_->show_notice("A notice.");
+  for (const auto* bar : window_->findChildren<MessageBar*>()) {
+    EXPECT_LT(bar->palette().color(QPalette::Window).lightness(), 128) << bar->text().toStdString();
+    EXPECT_GT(bar->palette().color(QPalette::WindowText).lightness(), 128) << bar->text().toStdString();
+  }
   screenshot("dark");
   QApplication::setPalette(light);
   EXPECT_TRUE(wait_until([&] { return window_->viewport().options().background == Background::white; }));
+  for (const auto* bar : window_->findChildren<MessageBar*>()) {
+    EXPECT_GT(bar->palette().color(QPalette::Window).lightness(), 128) << bar->text().toStdString();
+    EXPECT_LT(bar->palette().color(QPalette::WindowText).lightness(), 128) << bar->text().toStdString();
+  }
 }
 
 TEST_F(WindowTest, AnyReasonableSizeWorks) {

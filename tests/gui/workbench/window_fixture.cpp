@@ -3,7 +3,6 @@
 #include <QAbstractButton>
 #include <QApplication>
 #include <QDropEvent>
-#include <QElapsedTimer>
 #include <QFile>
 #include <QMimeData>
 #include <QTest>
@@ -12,6 +11,7 @@
 
 #include "gui/workbench/second_view.h"
 #include "gui/workbench/viewport/viewport.h"
+#include "tests/gui/patience.h"
 
 namespace netpocket {
 
@@ -48,7 +48,7 @@ void WindowTest::reopen() {
   window_->document().start_from(quick_scenario());
   window_->show();
   window_->activateWindow();
-  (void)QTest::qWaitForWindowActive(window_.get());
+  (void)wait_patiently([this] { return window_->isActiveWindow(); }, 5);
 }
 
 void WindowTest::answer_question(QMessageBox::StandardButton button) {
@@ -64,13 +64,7 @@ void WindowTest::answer_question(QMessageBox::StandardButton button) {
 }
 
 bool WindowTest::wait_until(const std::function<bool()>& condition, double seconds) {
-  QElapsedTimer timer;
-  timer.start();
-  while (!condition()) {
-    if (timer.elapsed() > 1000 * seconds) return false;
-    QTest::qWait(5);
-  }
-  return true;
+  return wait_patiently(condition, seconds);
 }
 
 bool WindowTest::run_to(double time) {
@@ -109,9 +103,11 @@ bool WindowTest::wait_for_picture() {
 }
 
 // Qt delivers a drop only to what took the drag that entered.
-void WindowTest::drop(const QString& path) {
+void WindowTest::drop(const QStringList& paths) {
   QMimeData data;
-  data.setUrls({QUrl::fromLocalFile(path)});
+  QList<QUrl> urls;
+  for (const QString& path : paths) urls << QUrl::fromLocalFile(path);
+  data.setUrls(urls);
   QDragEnterEvent enter(QPoint(100, 100), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
   QApplication::sendEvent(window_.get(), &enter);
   EXPECT_TRUE(enter.isAccepted());

@@ -20,15 +20,15 @@ class WindowTest : public testing::Test {
   WindowTest();
   ~WindowTest() override;
 
-  // Processes events until the condition holds; false after `seconds`.
+  // As wait_patiently().
   static bool wait_until(const std::function<bool()>& condition, double seconds = 30);
   // Lets a run come to `time`, s, and pauses it.
   bool run_to(double time);
   // Until the viewport, and the second one when there is one, shows a smooth picture of the state that it was given
   // last.
   bool wait_for_picture();
-  // Drags a file into the window and lets it go.
-  void drop(const QString& path);
+  // Drags files into the window and lets them go.
+  void drop(const QStringList& paths);
   // Presses a button of the next question that comes up.
   static void answer_question(QMessageBox::StandardButton button);
   // Makes the window anew, with the same settings and files.

@@ -86,6 +86,8 @@ TEST(Limits, CanBeDrawnForConstantData) {
   EXPECT_EQ(padded_limits(10, 10, 0.1, 0), (AxisLimits{9.5, 10.5}));
 }
 
+TEST(Limits, OfNothingButZeroAreRound) { EXPECT_EQ(padded_limits(0, 0, 0.1, 1e-3), (AxisLimits{-1, 1})); }
+
 TEST(Limits, DoNotMagnifyRoundOff) { EXPECT_EQ(padded_limits(-1e-17, 1e-17, 0.1, 2e-9), (AxisLimits{-1e-9, 1e-9})); }
 
 }  // namespace
