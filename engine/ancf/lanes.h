@@ -55,7 +55,8 @@ NETPOCKET_INLINE Lanes load_rotated(const double* block, int part, int rotation)
 #if defined(__AVX512F__)
   using Order [[gnu::vector_size(sizeof(Lanes))]] = std::int64_t;
   const Order order = (Order{0, 1, 2, 3, 4, 5, 6, 7} + rotation) & 7;
-  return __builtin_shuffle(load(block, part), order);
+  return Lanes(
+      _mm512_maskz_permutexvar_pd(0xff, __m512i(order), __m512d(load(block, part))));  // without a mask GCC warns
 #else
   const int first = (part * kWidth + rotation) % kBlock;
   if (first + kWidth <= kBlock) return *reinterpret_cast<const UnalignedLanes*>(block + first);

@@ -160,8 +160,8 @@ void ConsistentMass::factor(const Eigen::SparseMatrix<double>& matrix, const std
   Eigen::PermutationMatrix<Eigen::Dynamic> least_fill;  // its inverse says which row comes when
   Eigen::AMDOrdering<int>()(matrix.selfadjointView<Eigen::Lower>(), least_fill);
   std::vector<int> order(least_fill.indices().begin(), least_fill.indices().end());
-  const auto last = std::ranges::stable_partition(order, [&](int row) { return changes[row] == 0; });
-  const auto last_count = static_cast<Eigen::Index>(last.size()), columns = matrix.cols() - last_count;
+  const auto last = std::stable_partition(order.begin(), order.end(), [&](int row) { return changes[row] == 0; });
+  const Eigen::Index last_count = order.end() - last, columns = matrix.cols() - last_count;
   matrix_ = matrix;
   reorder(matrix_, places(order));
 

@@ -24,12 +24,13 @@ double size_of_file(const std::string& path) {
 }
 
 // A file with a writer, or whose writer was killed, opens only as SWMR (single writer, multiple readers).
-Handle open_file(const std::string& path) {
+Handle open_file(const std::string& path, bool& is_closed) {
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "describe file access");
   // Writers lock in their own way (output_file.h); HDF5's locks fail on network file systems.
   checked(H5Pset_file_locking(access.get(), false, true), "describe file access");
   hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get());
-  if (file < 0) {
+  is_closed = file >= 0;
+  if (!is_closed) {
     // A page that is torn because it is being written is whole a moment later; the waits double from a nanosecond.
     checked(H5Pset_metadata_read_attempts(access.get(), 20), "describe file access");
     file = H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access.get());
@@ -59,7 +60,7 @@ Handle open_attribute(const InputFile& file, const std::string& path, const char
 
 InputFile::InputFile(const std::string& path) : bytes_(size_of_file(path)) {
   silence_hdf5();
-  file_ = open_file(path);
+  file_ = open_file(path, is_closed_);
 }
 
 bool InputFile::has(const std::string& path) const {
@@ -137,11 +138,12 @@ void InputTable::check_layout(const InputFile& file, H5T_class_t type_class, con
   file.check_plausible(path_, static_cast<double>(rows_) * element * static_cast<double>(row_size_));
 }
 
-void InputTable::check_filters(const InputFile& file) const {
+void InputTable::check_filters(const InputFile& file) {
   const Handle properties(H5Dget_create_plist(dataset_.get()), H5Pclose, path_ + " is damaged");
   if (H5Pget_layout(properties.get()) != H5D_CHUNKED) throw Hdf5Error(path_ + " is not stored in chunks");
   std::vector<hsize_t> chunk(size_.size());
   checked(H5Pget_chunk(properties.get(), static_cast<int>(chunk.size()), chunk.data()), path_ + " is damaged");
+  rows_per_chunk_ = chunk[0];
   double bytes = 8, chunks = 1;
   for (std::size_t i = 0; i < chunk.size(); ++i) {
     bytes *= static_cast<double>(chunk[i]);
@@ -176,6 +178,16 @@ void InputTable::read_rows(hsize_t first, hsize_t count, hid_t type, void* out) 
   const Handle space(H5Dget_space(dataset_.get()), H5Sclose, attempt);
   checked(H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, start.data(), nullptr, block.data(), nullptr), attempt);
   checked(H5Dread(dataset_.get(), type, memory.get(), space.get(), H5P_DEFAULT, out), attempt);
+}
+
+std::vector<double> InputTable::read_announced() const {
+  try {
+    return read<double>(0, rows_);
+  } catch (const Hdf5Error&) {
+    const hsize_t whole = rows_ == 0 ? 0 : (rows_ - 1) / rows_per_chunk_ * rows_per_chunk_;
+    if (file_->is_closed() || whole == 0) throw;
+    return read<double>(0, whole);
+  }
 }
 
 std::vector<std::string> InputTable::read_texts() const {

@@ -19,6 +19,8 @@ class InputFile {
   explicit InputFile(const std::string& path);
 
   hid_t id() const { return file_.get(); }
+  // Whether its writer has closed it: it was not killed and is not at work.
+  bool is_closed() const { return is_closed_; }
   bool has(const std::string& path) const;
 
   // Attributes of the object at `path` ("/" for the file itself).
@@ -35,6 +37,7 @@ class InputFile {
  private:
   Handle file_;
   double bytes_ = 0;
+  bool is_closed_ = true;
 };
 
 // A dataset of rows of `shape`.
@@ -56,11 +59,14 @@ class InputTable {
     read_rows(first, count, native_type<T>(), values.data());
     return values;
   }
+  // All rows of the table that announces others. A loss of power can leave a place for its last chunk and nothing in
+  // it; nothing announced there was promised yet, and the rows before it are all.
+  std::vector<double> read_announced() const;
   std::vector<std::string> read_texts() const;
 
  private:
   void check_layout(const InputFile& file, H5T_class_t type_class, const std::vector<hsize_t>& shape);
-  void check_filters(const InputFile& file) const;
+  void check_filters(const InputFile& file);
   void check_range(hsize_t first, hsize_t count, std::size_t element_bytes) const;
   void read_rows(hsize_t first, hsize_t count, hid_t type, void* out) const;
 
@@ -68,7 +74,7 @@ class InputTable {
   const InputFile* file_ = nullptr;
   Handle dataset_;
   std::vector<hsize_t> size_;
-  hsize_t rows_ = 0;
+  hsize_t rows_ = 0, rows_per_chunk_ = 1;
   std::size_t row_size_ = 1;
 };
 

@@ -158,10 +158,11 @@ void Recording::Impl::read_channels() {
   std::size_t columns = 0;
   const auto column_of = find_columns(file, columns);
   const InputTable table(file, "/frames/channels", H5T_FLOAT, {columns});
-  const auto values = table.read<double>(0, table.row_count());
+  const auto values = table.read_announced();
+  const std::size_t rows = values.size() / columns;
   const std::size_t time = column_of[static_cast<std::size_t>(Channel::time)];
   std::size_t frames = 0;
-  while (frames < table.row_count() && std::isfinite(values[frames * columns + time])) ++frames;
+  while (frames < rows && std::isfinite(values[frames * columns + time])) ++frames;
   for (std::size_t c = 0; c < kChannelCount; ++c) {
     channels[c].resize(frames);
     for (std::size_t i = 0; i < frames; ++i) channels[c][i] = values[i * columns + column_of[c]];

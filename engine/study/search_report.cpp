@@ -44,8 +44,8 @@ std::vector<std::string> varied_settings(const std::vector<StudyRecord>& records
   std::vector<std::string> keys;
   for (const StudyRecord& record : records) {
     for (const auto& [key, value] : record["settings"].items()) {
-      const auto same = [&](const StudyRecord& other) {
-        return other["settings"].contains(key) && other["settings"][key] == value;
+      const auto same = [&name = key, &expected = value](const StudyRecord& other) {
+        return other["settings"].contains(name) && other["settings"][name] == expected;
       };
       if (std::ranges::count(keys, key) == 0 && !std::ranges::all_of(records, same)) keys.push_back(key);
     }

@@ -151,7 +151,7 @@ void write_number(hid_t table, hid_t space, double number, std::int64_t integer)
 void change_number(hid_t file, Source& source) {
   // To write into a table HDF5 makes an index of all its chunks in memory, whatever its size; an edit replaces tables
   // by ones of any size.
-  constexpr double kMostNumbers = 1 << 20;
+  constexpr double kMostNumbers = 1 << 17;
   const hid_t table = H5Dopen2(file, source.pick(kTables), H5P_DEFAULT);
   if (table < 0) return;
   const hid_t space = H5Dget_space(table);
@@ -175,8 +175,8 @@ void change_row_count(hid_t file, Source& source) {
   const hid_t space = H5Dget_space(table);
   hsize_t size[3] = {};
   H5Sget_simple_extent_dims(space, size, nullptr);
-  // More rows take HDF5 and the reader a second, which finds nothing that fewer do not.
-  constexpr hsize_t kMostRows = 1 << 13;
+  // More rows take HDF5 and the reader long, which finds nothing that fewer do not.
+  constexpr hsize_t kMostRows = 1 << 11;
   size[0] = source.take<std::uint32_t>() % kMostRows;
   H5Dset_extent(table, size);
   H5Sclose(space);
