@@ -14,6 +14,7 @@
 #include <algorithm>
 
 #include "gui/workbench/dialogs/preferences_dialog.h"
+#include "gui/workbench/editor/edit_command.h"
 #include "gui/workbench/editor/scenario_editor.h"
 #include "gui/workbench/editor/text_page.h"
 #include "gui/workbench/export/export_tray.h"
@@ -259,6 +260,13 @@ void MainWindow::open(const QString& path) {
 void MainWindow::show_preview(const PocketPreview& preview) {
   // While a run goes on it is shown, whatever is edited.
   if (session_->is_running()) return;
+  // Nor does one of before the start, that came late, take the place of what the run has come to.
+  const Run* run = session_->current();
+  const bool shown = run != nullptr && viewport_->state().structure == run->structure;
+  if (shown && !view_actions_->move_action()->isChecked() &&
+      differing_keys(run->scenario, document_->scenario()).isEmpty()) {
+    return;
+  }
   view_actions_->set_phases(std::nullopt);
   if (session_->current()) viewport_->set_hint(tr("Edited scenario, not simulated yet"));
   viewport_->set_history(nullptr);

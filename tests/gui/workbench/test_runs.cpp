@@ -1,8 +1,11 @@
 #include <QFile>
 
+#include "engine/scenario/parameters.h"
+#include "gui/workbench/editor/scenario_editor.h"
 #include "gui/workbench/run_actions.h"
 #include "gui/workbench/session/frame_cache.h"
 #include "gui/workbench/session/run_library.h"
+#include "gui/workbench/viewport/viewport.h"
 #include "tests/gui/workbench/window_fixture.h"
 
 namespace netpocket {
@@ -42,6 +45,24 @@ TEST_F(WindowTest, FramesBeyondTheCacheComeFromTheFile) {
   ASSERT_TRUE(wait_until([&] { return (frame = runs.frame(id, 5)) != nullptr; }));
   // Recordings hold positions in single precision (engine/recording/FORMAT.md): 6e-8 of at most 20 m.
   EXPECT_LT((frame->positions - positions).cwiseAbs().maxCoeff(), 2e-6);
+}
+
+// The picture of an edited scenario that was asked for before the run, and comes when it has ended.
+TEST_F(WindowTest, LatePreviewDoesNotHideTheRun) {
+  ASSERT_TRUE(run_to(0.3));
+  auto* editor = window_->findChild<ScenarioEditor*>();
+  ASSERT_NE(editor, nullptr);
+  const auto shows_the_run = [&] {
+    return window_->viewport().state().structure == window_->session().current()->structure;
+  };
+  ASSERT_TRUE(wait_until(shows_the_run));
+  const auto preview_passes = [&] {
+    emit editor->preview(window_->document().scenario());
+    return !wait_until([&] { return !shows_the_run(); }, 0.5);
+  };
+  EXPECT_TRUE(preview_passes());
+  ASSERT_FALSE(window_->document().set_value(*find_parameter("net.diameter"), 0.005));
+  EXPECT_TRUE(wait_until([&] { return !shows_the_run(); })) << "an edited scenario is shown";
 }
 
 TEST_F(WindowTest, RunSavedAsARecordingOpensAgain) {
