@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 #include "engine/bodies/symmetric_algebra.h"
 #include "engine/dynamics/element_curve.h"
@@ -199,24 +198,32 @@ void CordSearch::survey(const SlotVectors& coordinates, const SlotVectors& veloc
   sort_sides();
 }
 
+// Sides by keys of 64 bits, in this order of weight: own element locally (27 bits) and the other one (27), sectors
+// between them (3), segments (2 each), own sector (3).
 void CordSearch::sort_sides() {
-  sides_.clear();
+  static_assert(kSectors <= 8 && CordPolyline::kSegments <= 4);
+  keyed_sides_.clear();
   for (std::size_t i = 0; i < near_.size(); ++i) {
-    sides_.push_back({static_cast<std::int32_t>(i), false});
-    sides_.push_back({static_cast<std::int32_t>(i), true});
-  }
-  const auto key = [&](const NearSide& side) {
-    const NearSegments& pair = near_[static_cast<std::size_t>(side.pair)];
+    const NearSegments& pair = near_[i];
     std::int32_t own = near_elements_[static_cast<std::size_t>(pair.first)], own_segment = pair.first_segment;
     std::int32_t other = near_elements_[static_cast<std::size_t>(pair.second)], other_segment = pair.second_segment;
-    if (side.second) {
+    for (const bool second : {false, true}) {
+      std::uint64_t key = 0;
+      const auto append = [&](std::int32_t value, int bits) { key = key << bits | static_cast<std::uint64_t>(value); };
+      append(own / kSectors, 27);
+      append(other / kSectors, 27);
+      append((other % kSectors - own % kSectors + kSectors) % kSectors, 3);
+      append(own_segment, 2);
+      append(other_segment, 2);
+      append(own % kSectors, 3);
+      keyed_sides_.emplace_back(key, NearSide{static_cast<std::int32_t>(i), second});
       std::swap(own, other);
       std::swap(own_segment, other_segment);
     }
-    const std::int32_t turn = (other % kSectors - own % kSectors + kSectors) % kSectors;
-    return std::tuple(own / kSectors, other / kSectors, turn, own_segment, other_segment, own % kSectors);
-  };
-  std::ranges::sort(sides_, {}, key);
+  }
+  std::ranges::sort(keyed_sides_, {}, [](const auto& keyed) { return keyed.first; });
+  sides_.clear();
+  for (const auto& [key, side] : keyed_sides_) sides_.push_back(side);
 }
 
 void CordSearch::update(const SlotVectors& coordinates, const SlotVectors& velocities,

@@ -9,8 +9,10 @@
 // The answer holds all that may touch. What it holds beyond depends on the history; its order does not.
 
 #include <Eigen/Geometry>
+#include <cstdint>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "engine/contact/broad_phase.h"
@@ -89,6 +91,7 @@ class CordSearch {
   std::vector<std::int32_t> near_place_;  // by element: in near_elements_, or -1
   std::vector<NearSegments> near_;
   std::vector<NearSide> sides_;
+  std::vector<std::pair<std::uint64_t, NearSide>> keyed_sides_;  // for sorting
 };
 
 }  // namespace netpocket
