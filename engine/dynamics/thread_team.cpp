@@ -7,6 +7,8 @@ namespace {
 
 // How often a thread looks for work before it sleeps: some 200 us, longer than what is done alone between two loops.
 constexpr int kLooks = 20000;
+// A loop that takes one thread so long is worth the time that others take to wake; shorter ones wait for the next.
+constexpr std::chrono::microseconds kWorthWaking{500};
 // How long the caller waits for the others' parts, besides half of what its own took, before it does the rest itself
 // and, as some other program must have their processor, works alone for a while: the longer, the sooner it happens
 // again.
@@ -44,7 +46,7 @@ bool ThreadTeam::all_taken() const {
   return std::ranges::all_of(parts_, [](const Part& part) { return part.next >= part.end; });
 }
 
-// Wakes who sleeps; it will be there for a later round.
+// Wakes who sleeps.
 bool ThreadTeam::all_awake() {
   if (awake_ == threads_ - 1) return true;
   ++round_;
@@ -53,9 +55,11 @@ bool ThreadTeam::all_awake() {
 }
 
 void ThreadTeam::run(int count, int grain, const std::function<void(int, int)>& work) {
-  if (alone_) alone_ = Clock::now() < together_from_;
-  if (alone_ || !all_awake()) {
+  const Clock::time_point begin = Clock::now();
+  if (alone_) alone_ = begin < together_from_;
+  if (alone_ || (!all_awake() && loop_time_ < kWorthWaking)) {
     work(0, count);
+    loop_time_ = Clock::now() - begin;
     return;
   }
   count_ = count;
@@ -69,9 +73,9 @@ void ThreadTeam::run(int count, int grain, const std::function<void(int, int)>& 
   open_ = true;
   ++round_;
   round_.notify_all();
-  const Clock::time_point begin = Clock::now();
   take_ranges(parts_.front());
   const Clock::time_point own_end = Clock::now();
+  loop_time_ = threads_ * (own_end - begin);
   const Clock::time_point deadline = own_end + kPatience + (own_end - begin) / 2;
   while (!all_taken() && Clock::now() < deadline) relax();
   for (Part& part : parts_) take_ranges(part);

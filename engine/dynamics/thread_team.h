@@ -4,8 +4,8 @@
 // oneTBB two threads were 1.1 to 1.3 times as fast as one at 30,000 elements). These wait awake for a moment first.
 //
 // Each thread always gets the same part of a loop, so that what it reads is still in its cache. But the caller does not
-// wait for one that sleeps, nor long for one that does not come: where other programs take the processors, it does the
-// work alone.
+// wait for one that sleeps, unless the loop is long, nor long for one that does not come: where other programs take the
+// processors, it does the work alone.
 
 #include <atomic>
 #include <chrono>
@@ -54,6 +54,7 @@ class ThreadTeam {
   std::atomic<bool> ended_ = false;
   std::atomic<int> awake_ = 0;   // members that do not sleep
   std::atomic<int> inside_ = 0;  // members that may be taking ranges
+  Clock::duration loop_time_{};  // of the last loop, for one thread
   bool alone_ = false;           // until together_from_
   Clock::time_point together_from_{};
   Clock::duration alone_for_{};
