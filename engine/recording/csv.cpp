@@ -11,6 +11,7 @@ namespace {
 
 std::string header() {
   std::vector<std::string_view> names;
+  names.reserve(kChannelCount);
   for (const ChannelInfo& channel : kChannels) names.push_back(channel.name);
   return fmt::format("{}\n", fmt::join(names, ","));
 }
