@@ -9,13 +9,13 @@ namespace {
 constexpr int kLooks = 20000;
 // A loop that takes one thread so long is worth the time that others take to wake; shorter ones wait for the next.
 constexpr std::chrono::microseconds kWorthWaking{500};
-// How long the caller waits for the others' parts, besides half of what its own took, before it does the rest itself
-// and, as some other program must have their processor, works alone for a while: the longer, the sooner it happens
-// again.
+// How long the caller waits for the others' parts, besides half of what its own took, before it does the rest itself.
+// Then some other program must have their processor, and it works alone for a while: as many times as long as it has
+// lost.
 constexpr std::chrono::microseconds kPatience{50};
+constexpr int kTimesAlone = 16;
 // How often it looks at the end of what is under way before it lets other programs have its own.
 constexpr int kLooksBeforeYield = 200;
-constexpr std::chrono::milliseconds kShortestAlone{2}, kLongestAlone{64};
 
 void relax() {
 #if defined(__x86_64__) || defined(__i386__)
@@ -84,15 +84,10 @@ void ThreadTeam::run(int count, int grain, const std::function<void(int, int)>& 
     if (look % kLooksBeforeYield == 0) std::this_thread::yield();
     relax();
   }
-  if (Clock::now() > deadline) work_alone();
-}
-
-void ThreadTeam::work_alone() {
-  const Clock::time_point now = Clock::now();
-  const bool soon = now < together_from_ + 4 * alone_for_;
-  alone_for_ = soon ? std::min<Clock::duration>(2 * alone_for_, kLongestAlone) : kShortestAlone;
-  together_from_ = now + alone_for_;
+  const Clock::time_point end = Clock::now();
+  if (end <= deadline) return;
   alone_ = true;
+  together_from_ = end + kTimesAlone * (end - own_end);
 }
 
 // A member that comes late finds the round closed, or the next one open: either way what it reads is whole, because

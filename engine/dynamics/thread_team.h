@@ -43,7 +43,6 @@ class ThreadTeam {
   void take_ranges(Part& part);
   bool all_taken() const;
   bool all_awake();
-  void work_alone();
 
   int threads_;
   std::vector<Part> parts_;  // by thread
@@ -57,7 +56,6 @@ class ThreadTeam {
   Clock::duration loop_time_{};  // of the last loop, for one thread
   bool alone_ = false;           // until together_from_
   Clock::time_point together_from_{};
-  Clock::duration alone_for_{};
   std::vector<std::jthread> members_;
 };
 
