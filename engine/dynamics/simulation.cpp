@@ -29,6 +29,9 @@ constexpr std::int64_t kFaultInterval = 256;
 constexpr std::int64_t kCopyInterval = 16 * kFaultInterval;
 // Longest time (s) for which the step stays what the cables' shape allowed at its start.
 constexpr double kLongestInterval = 0.01;
+// Part of the first stable step below which no motion that means anything brings it.
+constexpr double kCollapse = 1e-3;
+constexpr double kMostStepsOfInterval = 1e9;
 // Counts that a double holds exactly.
 constexpr double kLargestCount = 9007199254740992.0;
 
@@ -168,7 +171,9 @@ struct Simulation::Impl {
     const double allowed = scenario.solver.time_step > 0
                                ? scenario.solver.time_step
                                : scenario.solver.safety * step_choice.stable_step(winding, end);
-    interval_steps = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(length / allowed)));
+    const double steps = std::ceil(length / allowed);  // which may be no number where the state is lost
+    interval_steps =
+        static_cast<std::int64_t>(steps < kMostStepsOfInterval ? std::max(1.0, steps) : kMostStepsOfInterval);
     time_step = (end - static_cast<double>(interval) * length) / static_cast<double>(interval_steps);
     step_choice.note(time_step);
     steps_in_interval = 0;
@@ -195,9 +200,18 @@ struct Simulation::Impl {
 
   // Says why the state is not sound, if so: then it is the last sound one again.
   std::optional<RunStatus> check() {
-    const auto fault = system.fault();
+    auto fault = system.fault();
+    if (!fault) fault = collapse();
     if (!fault) return std::nullopt;
     return diverged(find_first_fault(*fault));
+  }
+
+  // Whether cords are strained so far, as by a failure before they fly apart, that nothing would ever come to an end.
+  std::optional<std::string> collapse() const {
+    const double first = scenario.solver.safety * step_choice.first_stable_step();
+    if (interval < 0 || scenario.solver.time_step > 0 || time_step > kCollapse * first) return std::nullopt;
+    return fmt::format("cords are strained so far that the stable step has fallen from {:.3g} to {:.3g} s", first,
+                       time_step);
   }
 
   void keep_sound_state() {

@@ -59,7 +59,7 @@ TEST_F(VerificationConvergence, HalfTheStep) {
                0.0101, source + ": two frames of 0.005 s");
   expect_below("impulse on the target, relative difference to half the step",
                std::abs(whole.impulse / half.impulse - 1), 0.05,
-               source + ": of |F_y|, with the chatter that steps from 0.84 to 0.9 scatter by 1 %");
+               source + ": of the absolute F_y, with the chatter that steps from 0.84 to 0.9 scatter by 1 %");
   expect_below("separation at 5 s, difference to half the step, m", std::abs(whole.separation - half.separation), 0.02,
                source + ": of 8.3 m; the chatter after the press scatters by 0.004 m from one step to the next");
 }
