@@ -14,17 +14,11 @@ struct Kernels {
 };
 
 const Kernels& kernels() {
-  static const Kernels chosen = [] {
-    switch (instruction_set()) {
-      case InstructionSet::avx512:
-        return Kernels{element_kernel::avx512::element_forces, element_kernel::avx512::element_states};
-      case InstructionSet::avx2:
-        return Kernels{element_kernel::avx2::element_forces, element_kernel::avx2::element_states};
-      case InstructionSet::baseline:
-        break;
-    }
-    return Kernels{element_kernel::baseline::element_forces, element_kernel::baseline::element_states};
-  }();
+  static const Kernels chosen = {
+      choose_variant(element_kernel::baseline::element_forces, element_kernel::avx2::element_forces,
+                     element_kernel::avx512::element_forces),
+      choose_variant(element_kernel::baseline::element_states, element_kernel::avx2::element_states,
+                     element_kernel::avx512::element_states)};
   return chosen;
 }
 

@@ -7,10 +7,9 @@ namespace netpocket {
 namespace {
 
 InstructionSet best_available() {
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")) {
-    return InstructionSet::avx512;
+  for (const InstructionSet set : {InstructionSet::avx512, InstructionSet::avx2}) {
+    if (has(set)) return set;
   }
-  if (__builtin_cpu_supports("avx2")) return InstructionSet::avx2;
   return InstructionSet::baseline;
 }
 
@@ -25,6 +24,19 @@ InstructionSet choose() {
 }
 
 }  // namespace
+
+bool has(InstructionSet set) {
+  switch (set) {
+    case InstructionSet::avx512:
+      return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+             __builtin_cpu_supports("avx512vl");
+    case InstructionSet::avx2:
+      return __builtin_cpu_supports("avx2");
+    case InstructionSet::baseline:
+      break;
+  }
+  return true;
+}
 
 InstructionSet instruction_set() {
   static const InstructionSet chosen = choose();

@@ -14,38 +14,17 @@ namespace {
 // number of threads.
 constexpr int kChunk = 32;
 
-struct SlotKernels {
+struct Kernels {
   slot_kernel::Kernel update;
   slot_kernel::SumKernel sum_forces;
+  hinge_kernel::Kernel hinges;
 };
 
-const SlotKernels& slot_kernels() {
-  static const SlotKernels chosen = [] {
-    switch (instruction_set()) {
-      case InstructionSet::avx512:
-        return SlotKernels{slot_kernel::avx512::update, slot_kernel::avx512::sum_forces};
-      case InstructionSet::avx2:
-        return SlotKernels{slot_kernel::avx2::update, slot_kernel::avx2::sum_forces};
-      case InstructionSet::baseline:
-        break;
-    }
-    return SlotKernels{slot_kernel::baseline::update, slot_kernel::baseline::sum_forces};
-  }();
-  return chosen;
-}
-
-hinge_kernel::Kernel chosen_hinge_kernel() {
-  static const hinge_kernel::Kernel chosen = [] {
-    switch (instruction_set()) {
-      case InstructionSet::avx512:
-        return hinge_kernel::avx512::forces;
-      case InstructionSet::avx2:
-        return hinge_kernel::avx2::forces;
-      case InstructionSet::baseline:
-        break;
-    }
-    return hinge_kernel::baseline::forces;
-  }();
+const Kernels& kernels() {
+  static const Kernels chosen = {
+      choose_variant(slot_kernel::baseline::update, slot_kernel::avx2::update, slot_kernel::avx512::update),
+      choose_variant(slot_kernel::baseline::sum_forces, slot_kernel::avx2::sum_forces, slot_kernel::avx512::sum_forces),
+      choose_variant(hinge_kernel::baseline::forces, hinge_kernel::avx2::forces, hinge_kernel::avx512::forces)};
   return chosen;
 }
 
@@ -89,7 +68,7 @@ void CableSystem::Impl::add_hinges(double dt) {
       std::copy_n(body.rotation().data(), 9, axes.rotation);
       std::copy_n(body.angular_velocity().data(), 3, axes.angular_velocity);
     }
-    chosen_hinge_kernel()(coordinates.rows(), velocities.rows(), inverse_mass.data(), dt, axes, block);
+    kernels().hinges(coordinates.rows(), velocities.rows(), inverse_mass.data(), dt, axes, block);
     for (int lane = 0; lane < block.count; ++lane) {
       applied.add(block.gradient1[lane], lane_of(block.on_gradient1, lane));
       applied.add(block.gradient2[lane], lane_of(block.on_gradient2, lane));
@@ -179,7 +158,7 @@ slot_kernel::UpdateView CableSystem::Impl::forces_view() {
 }
 
 void CableSystem::Impl::sum_forces(std::span<const std::int32_t> slot_blocks, double* rows) {
-  slot_kernels().sum_forces(forces_view(), slot_blocks.data(), slot_blocks.size(), rows);
+  kernels().sum_forces(forces_view(), slot_blocks.data(), slot_blocks.size(), rows);
 }
 
 // v += kick M^-1 F, x += drift v with a diagonal mass.
@@ -190,7 +169,7 @@ void CableSystem::Impl::kick_and_drift(SlotVectors& v, SlotVectors& x, const Ali
   view.coordinates = x.data();
   view.velocities = v.data();
   divide_among_threads(assembly.block_count(), 4 * kChunk,
-                       [&](int first, int last) { slot_kernels().update(view, first, last, kick, drift); });
+                       [&](int first, int last) { kernels().update(view, first, last, kick, drift); });
 }
 
 // The same with the evaluation's mass. With the consistent one the forces are first collected: they are what a kick

@@ -15,15 +15,9 @@ namespace netpocket {
 namespace {
 
 factor_kernel::Kernels choose_kernels() {
-  switch (instruction_set()) {
-    case InstructionSet::avx512:
-      return {factor_kernel::avx512::forward, factor_kernel::avx512::backward};
-    case InstructionSet::avx2:
-      return {factor_kernel::avx2::forward, factor_kernel::avx2::backward};
-    case InstructionSet::baseline:
-      break;
-  }
-  return {factor_kernel::baseline::forward, factor_kernel::baseline::backward};
+  using namespace factor_kernel;
+  return {choose_variant(baseline::forward, avx2::forward, avx512::forward),
+          choose_variant(baseline::backward, avx2::backward, avx512::backward)};
 }
 
 std::vector<std::uint8_t> free_slots(const Model& model, const SlotLayout& layout) {

@@ -19,15 +19,7 @@ NETPOCKET_INLINE Lanes3 broadcast3(const double* vector) {
 }
 NETPOCKET_INLINE Lanes larger(const Lanes& a, const Lanes& b) { return a < b ? b : a; }
 
-// Vectors of the contacts' slots at a corner, and of those in the blocks of ContactedSlots.
-NETPOCKET_INLINE Lanes3 at_slots(const double* rows, const ContactBlock& c, int corner, int part) {
-  std::ptrdiff_t place[kWidth];
-  for (int i = 0; i < kWidth; ++i) {
-    const std::ptrdiff_t slot = c.slot[corner][part * kWidth + i];
-    place[i] = slot / kBlock * (kSlotRows * kBlock) + slot % kBlock;
-  }
-  return gather3(rows, place);
-}
+// Vectors of the contacts' slots at a corner, in the blocks of ContactedSlots.
 NETPOCKET_INLINE Lanes3 at_places(const double* rows, const ContactBlock& c, int corner, int part) {
   std::ptrdiff_t place[kWidth];
   for (int i = 0; i < kWidth; ++i) {
@@ -50,8 +42,8 @@ NETPOCKET_INLINE Lanes3 combine(const ContactBlock& c, int part, const Lanes3& a
          (load(c.weight[2], part) * d + load(c.weight[3], part) * e);
 }
 NETPOCKET_INLINE Lanes3 velocity_at_slots(const double* rows, const ContactBlock& c, int part) {
-  return combine(c, part, at_slots(rows, c, 0, part), at_slots(rows, c, 1, part), at_slots(rows, c, 2, part),
-                 at_slots(rows, c, 3, part));
+  return combine(c, part, gather_slots(rows, c.slot[0], part), gather_slots(rows, c.slot[1], part),
+                 gather_slots(rows, c.slot[2], part), gather_slots(rows, c.slot[3], part));
 }
 NETPOCKET_INLINE Lanes3 velocity_at_places(const double* rows, const ContactBlock& c, int part) {
   return combine(c, part, at_places(rows, c, 0, part), at_places(rows, c, 1, part), at_places(rows, c, 2, part),

@@ -29,17 +29,10 @@ struct Kernels {
 };
 
 const Kernels& kernels() {
-  static const Kernels chosen = [] {
-    switch (instruction_set()) {
-      case InstructionSet::avx512:
-        return Kernels{contact_kernel::avx512::points, contact_kernel::avx512::forces, contact_kernel::avx512::power};
-      case InstructionSet::avx2:
-        return Kernels{contact_kernel::avx2::points, contact_kernel::avx2::forces, contact_kernel::avx2::power};
-      case InstructionSet::baseline:
-        break;
-    }
-    return Kernels{contact_kernel::baseline::points, contact_kernel::baseline::forces, contact_kernel::baseline::power};
-  }();
+  using namespace contact_kernel;
+  static const Kernels chosen = {choose_variant(baseline::points, avx2::points, avx512::points),
+                                 choose_variant(baseline::forces, avx2::forces, avx512::forces),
+                                 choose_variant(baseline::power, avx2::power, avx512::power)};
   return chosen;
 }
 

@@ -35,15 +35,6 @@ NETPOCKET_INLINE Matrix load_matrix(const double (*rows)[kBlock], int part) {
           {load(rows[6], part), load(rows[7], part), load(rows[8], part)}};
 }
 
-NETPOCKET_INLINE Lanes3 gradient(const SlotRows& rows, const std::int32_t* slots, int part) {
-  std::ptrdiff_t place[kWidth];
-  for (int i = 0; i < kWidth; ++i) {
-    const std::ptrdiff_t slot = slots[part * kWidth + i];
-    place[i] = slot / kBlock * (kSlotRows * kBlock) + slot % kBlock;
-  }
-  return gather3(rows.first, place);
-}
-
 // A unit direction and its rate, from a gradient and its rate.
 struct Direction {
   Lanes3 unit, rate;
@@ -81,9 +72,10 @@ void forces(const SlotRows& coordinates, const SlotRows& velocities, const doubl
                        broadcast(axes.angular_velocity[2])};
   for (int part = 0; part < kParts; ++part) {
     const Matrix rest = load_matrix(block.rest_rotation, part);
-    const Lanes3 g1 = gradient(coordinates, block.gradient1, part), g2 = gradient(coordinates, block.gradient2, part);
-    const Direction d1 = direction(g1, gradient(velocities, block.gradient1, part));
-    const Direction d2 = direction(g2, gradient(velocities, block.gradient2, part));
+    const Lanes3 g1 = gather_slots(coordinates.first, block.gradient1, part),
+                 g2 = gather_slots(coordinates.first, block.gradient2, part);
+    const Direction d1 = direction(g1, gather_slots(velocities.first, block.gradient1, part));
+    const Direction d2 = direction(g2, gather_slots(velocities.first, block.gradient2, part));
     const Lanes3 t = product(to_world, product(rest, transposed_product(to_world, d1.unit)));
     const Lanes3 t_rate =
         product(to_world, product(rest, transposed_product(to_world, d1.rate - cross(spin, d1.unit)))) + cross(spin, t);

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "engine/ancf/element_kernel.h"
+#include "engine/ancf/instruction_set.h"
 #include "engine/ancf/mean_strain_element.h"
 #include "engine/ancf/strain_pair.h"
 #include "engine/dynamics/assembly.h"
@@ -13,11 +14,6 @@
 
 namespace netpocket {
 namespace {
-
-bool runs_avx2() { return __builtin_cpu_supports("avx2"); }
-bool runs_avx512() {
-  return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
-}
 
 // Elements that share slots at random, in a random state.
 struct Batch {
@@ -251,10 +247,10 @@ TEST_F(VerificationBatch, InstructionSetsGiveTheSameBits) {
       return rows;
     };
     const auto baseline = run(element_kernel::baseline::element_forces);
-    if (runs_avx2()) {
+    if (has(InstructionSet::avx2)) {
       EXPECT_EQ(run(element_kernel::avx2::element_forces), baseline);
     }
-    if (runs_avx512()) {
+    if (has(InstructionSet::avx512)) {
       EXPECT_EQ(run(element_kernel::avx512::element_forces), baseline);
     }
   }
@@ -341,11 +337,11 @@ TEST_F(VerificationBatch, SlotUpdateEqualsAPlainLoop) {
     expect_below(std::string("slot update against a plain loop, ") + (slots == 64 ? "regular" : "scattered") + " slots",
                  difference / round_off, 1,
                  "in units of 1e-15 of the largest change; only the order of summation differs");
-    if (runs_avx2()) {
+    if (has(InstructionSet::avx2)) {
       EXPECT_EQ(run(slot_kernel::avx2::update), baseline);
       EXPECT_EQ(sum(slot_kernel::avx2::sum_forces), sums);
     }
-    if (runs_avx512()) {
+    if (has(InstructionSet::avx512)) {
       EXPECT_EQ(run(slot_kernel::avx512::update), baseline);
       EXPECT_EQ(sum(slot_kernel::avx512::sum_forces), sums);
     }

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "engine/ancf/full_element.h"
+#include "engine/ancf/instruction_set.h"
 #include "engine/ancf/mass.h"
 #include "engine/dynamics/consistent_mass.h"
 #include "tests/engine/dynamics/models.h"
@@ -123,10 +124,10 @@ TEST_F(VerificationFullBatch, InstructionSetsGiveTheSameBits) {
       return rows;
     };
     const auto baseline = run(full_kernel::baseline::element_forces);
-    if (__builtin_cpu_supports("avx2")) {
+    if (has(InstructionSet::avx2)) {
       EXPECT_EQ(run(full_kernel::avx2::element_forces), baseline);
     }
-    if (__builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")) {
+    if (has(InstructionSet::avx512)) {
       EXPECT_EQ(run(full_kernel::avx512::element_forces), baseline);
     }
   }

@@ -9,10 +9,8 @@ namespace netpocket::test {
 template <typename Kernel, typename Check>
 void for_each_instruction_set(Kernel baseline, Kernel avx2, Kernel avx512, const Check& check) {
   check("baseline", baseline);
-  if (__builtin_cpu_supports("avx2")) check("avx2", avx2);
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")) {
-    check("avx512", avx512);
-  }
+  if (has(InstructionSet::avx2)) check("avx2", avx2);
+  if (has(InstructionSet::avx512)) check("avx512", avx512);
 }
 
 }  // namespace netpocket::test
