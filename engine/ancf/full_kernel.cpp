@@ -23,7 +23,6 @@ constexpr double kVanishing = kBendingRoundOff * kBendingRoundOff;
 constexpr double kSmallestSquare = 0.81;  // FullElementOptions::smallest_stretch squared
 
 NETPOCKET_INLINE Lanes3 scaled(double factor, const Lanes3& a) { return broadcast(factor) * a; }
-NETPOCKET_INLINE Lanes larger(const Lanes& a, const Lanes& b) { return a < b ? b : a; }
 
 // Modes of the slope, or anything conjugate to them.
 struct Modes {

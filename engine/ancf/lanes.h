@@ -39,6 +39,8 @@ NETPOCKET_INLINE void store(double* block, int part, const Lanes& value) {
 }
 NETPOCKET_INLINE Lanes broadcast(double value) { return Lanes{} + value; }
 
+NETPOCKET_INLINE Lanes larger(const Lanes& a, const Lanes& b) { return a < b ? b : a; }
+
 NETPOCKET_INLINE Lanes square_root(const Lanes& value) {
 #if defined(__AVX512F__)
   return Lanes(_mm512_maskz_sqrt_pd(0xff, __m512d(value)));  // the plain one makes GCC 12 warn

@@ -17,7 +17,6 @@ NETPOCKET_INLINE Lanes3 load3(const double (*rows)[kBlock], int part) {
 NETPOCKET_INLINE Lanes3 broadcast3(const double* vector) {
   return {broadcast(vector[0]), broadcast(vector[1]), broadcast(vector[2])};
 }
-NETPOCKET_INLINE Lanes larger(const Lanes& a, const Lanes& b) { return a < b ? b : a; }
 
 // Vectors of the contacts' slots at a corner, in the blocks of ContactedSlots.
 NETPOCKET_INLINE Lanes3 at_places(const double* rows, const ContactBlock& c, int corner, int part) {

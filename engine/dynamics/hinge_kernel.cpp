@@ -49,12 +49,10 @@ NETPOCKET_INLINE Direction direction(const Lanes3& gradient, const Lanes3& gradi
   return d;
 }
 
-// Change of a direction's rate by a unit moment, 1/(kg m^2).
-NETPOCKET_INLINE Lanes inverse_inertia(const double* inverse_mass, const std::int32_t* slots, int part,
-                                       const Lanes& magnitude) {
+NETPOCKET_INLINE Lanes gather_values(const double* values, const std::int32_t* slots, int part) {
   std::ptrdiff_t place[kWidth];
   for (int i = 0; i < kWidth; ++i) place[i] = slots[part * kWidth + i];
-  return gather(inverse_mass, place) / (magnitude * magnitude);
+  return gather(values, place);
 }
 
 NETPOCKET_INLINE Lanes angle_of(const Lanes& sine, const Lanes& cosine) {
@@ -89,11 +87,12 @@ void forces(const SlotRows& coordinates, const SlotRows& velocities, const doubl
     const Lanes inverse_sine = one / (sine < broadcast(1e-12) ? one : sine);
     const Lanes closing = -(dot(towards2, d2.rate) + dot(towards1, t_rate)) * inverse_sine;
     const Lanes angle_rate = sine < broadcast(1e-12) ? zero : closing;
-    const Lanes turning = inverse_inertia(inverse_mass, block.gradient1, part, d1.magnitude) +
-                          inverse_inertia(inverse_mass, block.gradient2, part, d2.magnitude);
-    const Lanes stopping = one / (turning * broadcast(dt));
+    const Lanes i1 = gather_values(inverse_mass, block.gradient1, part);
+    const Lanes i2 = gather_values(inverse_mass, block.gradient2, part);
+    const Lanes turning = i1 / (d1.magnitude * d1.magnitude) + i2 / (d2.magnitude * d2.magnitude);
     const Lanes own_damping = load(block.damping, part);
-    const Lanes damping = own_damping < stopping ? own_damping : stopping;
+    const Lanes allowed = larger(one / (turning * broadcast(dt)), own_damping * ((i1 + i2) / turning));
+    const Lanes damping = own_damping < allowed ? own_damping : allowed;
     const Lanes damping_moment = damping * angle_rate;
     const Lanes ratio = sine < broadcast(1e-8) ? one : angle * inverse_sine;
     const Lanes factor = load(block.stiffness, part) * ratio + damping_moment * inverse_sine;

@@ -30,8 +30,9 @@ struct Axes {
   double angular_velocity[3];  // rad/s
 };
 
-// `inverse_mass` by slot, 1/(kg m^2). A damper never takes more than the angle's rate within the step `dt` (s): where a
-// gradient is short, as in a cord that folds up, its direction turns so easily that an explicit damper would drive it.
+// `inverse_mass` by slot, 1/(kg m^2). Where a gradient is short, as in a cord that folds up, its direction turns so
+// easily that an explicit damper would drive it: there damping is no stronger, against the inertia, than for gradients
+// of unit length, unless it takes less than the angle's rate within the step `dt` (s).
 using Kernel = void (*)(const SlotRows& coordinates, const SlotRows& velocities, const double* inverse_mass, double dt,
                         const Axes& axes, HingeBlock& block);
 

@@ -213,12 +213,13 @@ TEST_F(VerificationKernels, Hinges) {
         if (name == "baseline") first = result;
         for (int lane = 0; lane < kBlockSize; ++lane) {
           Hinge hinge = hinges[static_cast<std::size_t>(lane)];
-          const auto turning = [&](std::int32_t slot) {
-            return inverse_mass[static_cast<std::size_t>(slot)] / gradients.get(slot).squaredNorm();
-          };
-          const double stopping = 1 / (dt * (turning(hinge.gradient1) + turning(hinge.gradient2)));
-          limited += hinge.damping > stopping ? 1 : 0;
-          hinge.damping = std::min(hinge.damping, stopping);
+          const double i1 = inverse_mass[static_cast<std::size_t>(hinge.gradient1)];
+          const double i2 = inverse_mass[static_cast<std::size_t>(hinge.gradient2)];
+          const double turning =
+              i1 / gradients.get(hinge.gradient1).squaredNorm() + i2 / gradients.get(hinge.gradient2).squaredNorm();
+          const double allowed = std::max(1 / (dt * turning), hinge.damping * (i1 + i2) / turning);
+          limited += hinge.damping > allowed ? 1 : 0;
+          hinge.damping = std::min(hinge.damping, allowed);
           const HingeForces expected =
               hinge_forces(hinge, gradients.get(hinge.gradient1), gradients.get(hinge.gradient2),
                            rates.get(hinge.gradient1), rates.get(hinge.gradient2), axes, spin);

@@ -58,10 +58,9 @@ TEST_F(VerificationConvergence, HalfTheStep) {
   expect_below("first contact, difference to half the step, s", std::abs(whole.first_contact - half.first_contact),
                0.0101, source + ": two frames of 0.005 s");
   expect_below("impulse on the target, relative difference to half the step",
-               std::abs(whole.impulse / half.impulse - 1), 0.05,
-               source + ": of the absolute F_y, with the chatter that steps from 0.84 to 0.9 scatter by 1 %");
-  expect_below("separation at 5 s, difference to half the step, m", std::abs(whole.separation - half.separation), 0.02,
-               source + ": of 8.3 m; the chatter after the press scatters by 0.004 m from one step to the next");
+               std::abs(whole.impulse / half.impulse - 1), 0.03, source);
+  expect_below("separation at 5 s, difference to half the step, m", std::abs(whole.separation - half.separation), 0.005,
+               source);
 }
 
 TEST(StepChoice, SaysWhatLimits) {
@@ -80,7 +79,7 @@ TEST(StepChoice, SaysWhatLimits) {
   const double bound =
       0.9 * stable_step_of_lumped_element(cord_material(scenario.rope).section, 1.2 / scenario.closing.elements, true);
   EXPECT_LE(closed.time_step, bound);
-  EXPECT_GT(closed.time_step, 0.95 * bound);
+  EXPECT_GT(closed.time_step, 0.8 * bound);
 
   scenario.solver.time_step = 2e-5;
   EXPECT_EQ(Simulation(scenario).statistics().step_limit, "solver.time_step");
