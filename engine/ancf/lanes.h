@@ -62,14 +62,14 @@ NETPOCKET_INLINE Lanes load_rotated(const double* block, int part, int rotation)
 #else
   const int first = (part * kWidth + rotation) % kBlock;
   if (first + kWidth <= kBlock) return *reinterpret_cast<const UnalignedLanes*>(block + first);
-  Lanes value;
+  Lanes value = {};
   for (int i = 0; i < kWidth; ++i) value[i] = block[(first + i) % kBlock];
   return value;
 #endif
 }
 
 NETPOCKET_INLINE Lanes gather(const double* row, const std::ptrdiff_t* place) {
-  Lanes value;
+  Lanes value = {};
   for (int i = 0; i < kWidth; ++i) value[i] = row[place[i]];
   return value;
 }

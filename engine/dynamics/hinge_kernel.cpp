@@ -56,7 +56,7 @@ NETPOCKET_INLINE Lanes gather_values(const double* values, const std::int32_t* s
 }
 
 NETPOCKET_INLINE Lanes angle_of(const Lanes& sine, const Lanes& cosine) {
-  Lanes angle;
+  Lanes angle = {};
   for (int i = 0; i < kWidth; ++i) angle[i] = __builtin_atan2(sine[i], cosine[i]);
   return angle;
 }
