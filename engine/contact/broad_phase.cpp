@@ -66,7 +66,8 @@ int group_count(int elements) {
 
 template <typename Function>
 void for_members(int group, std::size_t elements, const Function& function) {
-  const std::size_t first = static_cast<std::size_t>(group / kStride * kGroup * kStride + group % kStride);
+  const auto index = static_cast<std::size_t>(group);
+  const std::size_t first = index / kStride * (kGroup * kStride) + index % kStride;
   for (std::size_t i = 0; i < kGroup; ++i) {
     const std::size_t element = first + i * kStride;
     if (element < elements) function(element);

@@ -90,7 +90,7 @@ NETPOCKET_INLINE Lanes resistance(const ForceView& view, const Lanes& normal_for
 
 double points(const ElementBlock& block, const Sample* samples, std::size_t count, const SlotRows& coordinates,
               const double* centre, double* rows) {
-  Lanes least[kParts];
+  Lanes least[kParts] = {};
   for (int part = 0; part < kParts; ++part) {
     const Lanes length = load(block.length, part);
     const Lanes3 r1 = load_slot(coordinates, block, 0, part), g1 = load_slot(coordinates, block, 1, part);
