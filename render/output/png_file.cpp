@@ -108,7 +108,7 @@ void append_compressed(Bytes& file, Bytes& bytes) {
     stream.next_out = file.data() + size;
     stream.avail_out = kStep;
     if (isal_deflate(&stream) != COMP_OK) throw std::logic_error("ISA-L cannot compress a picture");
-    file.resize(file.size() - stream.avail_out);
+    file.erase(file.end() - stream.avail_out, file.end());
   }
 }
 

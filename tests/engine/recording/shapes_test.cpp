@@ -15,8 +15,8 @@ const Satellite::Dimensions kDimensions = {.bus = {2, 2.4, 1.8}, .span = 8.4, .p
 
 Structure structure_with_shapes() {
   Structure structure = synthetic_structure(20);
-  const Shape torus = MeshShape{samples::checked_mesh(samples::torus(3, 1, 12, 8))};
-  const Shape wedge = MeshShape{samples::checked_mesh(samples::wedge())};
+  const MeshShape torus{samples::checked_mesh(samples::torus(3, 1, 12, 8))};
+  const MeshShape wedge{samples::checked_mesh(samples::wedge())};
   structure.bodies = {{"spacecraft", BodyRole::spacecraft, Box{{1.6, 2.0, 1.6}}, 1210},
                       {"target", BodyRole::target, Satellite(kDimensions), 200},
                       {"ring", BodyRole::other, torus, 3},
