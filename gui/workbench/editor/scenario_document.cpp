@@ -124,7 +124,7 @@ QString ScenarioDocument::display_name() const {
   return path_.isEmpty() ? tr("untitled") : QFileInfo(path_).fileName();
 }
 
-void ScenarioDocument::reset(StatePointer state, const QString& path, StatePointer saved) {
+void ScenarioDocument::reset(const StatePointer& state, const QString& path, StatePointer saved) {
   const bool was_modified = is_modified();
   undo_stack_.clear();
   recovered_ = state != saved;

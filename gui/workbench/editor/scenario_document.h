@@ -93,7 +93,7 @@ class ScenarioDocument : public QObject {
   void apply(const StatePointer& state);
   // The same with the folder of the present file, where meshes are looked for.
   StatePointer with_folder(const StatePointer& state) const;
-  void reset(StatePointer state, const QString& path, StatePointer saved);
+  void reset(const StatePointer& state, const QString& path, StatePointer saved);
   void set_saved(StatePointer state);
   std::string text_with(const State& state, const std::vector<Setting>& settings, const Scenario& target) const;
 

@@ -1,10 +1,12 @@
 #include "gui/workbench/panels/tones.h"
 
+#include <cmath>
+
 namespace netpocket {
 namespace {
 
 QColor mixed(const QColor& a, const QColor& b, double amount_of_b) {
-  const auto mix = [&](int from, int to) { return static_cast<int>(from + (to - from) * amount_of_b + 0.5); };
+  const auto mix = [&](int from, int to) { return static_cast<int>(std::lround(from + (to - from) * amount_of_b)); };
   return {mix(a.red(), b.red()), mix(a.green(), b.green()), mix(a.blue(), b.blue())};
 }
 
