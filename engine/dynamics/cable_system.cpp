@@ -306,7 +306,10 @@ void CableSystem::displace(std::span<const Eigen::Vector3d> displacements) {
   impl_->step_of_states = impl_->step_of_forces = -1;
   impl_->begin_accounts();
 }
-void CableSystem::control(std::int32_t body, const BodyControl& control) { impl_->controls[body] = control; }
+void CableSystem::control(std::int32_t body, const BodyControl& control) {
+  impl_->controls[body] = control;
+  impl_->step_of_audit = -1;
+}
 void CableSystem::set_rope_motion(const std::function<RopeMotion(double)>& motion) {
   impl_->ropes.set_motion(motion);
   impl_->step_of_forces = -1;
@@ -327,6 +330,15 @@ const Eigen::Vector3d& CableSystem::contact_impulse(std::int32_t body) const { r
 CordContactSum CableSystem::cord_contacts() const {
   if (!impl_->cord_contacts) return {};
   return {impl_->cord_contacts->count(), impl_->cord_contacts->total_normal_force()};
+}
+double CableSystem::penetration() const { return impl_->contacts.deepest_penetration(); }
+std::string CableSystem::deepest_contact() const {
+  const auto contact = impl_->contacts.deepest_contact();
+  if (!contact) return "";
+  const Model& model = impl_->model;
+  return fmt::format("{} (element {}) is pressed {:.2g} m into the {}",
+                     model.threads[model.elements[contact->element].thread], contact->element, contact->penetration,
+                     model.bodies[contact->body].name);
 }
 double CableSystem::take_deepest_penetration() { return std::exchange(impl_->deepest_penetration, 0.0); }
 

@@ -70,6 +70,8 @@ struct CableSystem::Impl {
   double hinge_power = 0;
   std::int64_t step_of_forces = -1;  // at which forces have been computed; -1: what they follow has changed since
   double step_size_of_forces = 0;    // s
+  EnergyAudit last_audit;
+  std::int64_t step_of_audit = -1;  // of the last one; -1: what it follows has changed since
   std::vector<BatchPower> chunk_power;
 
   // Accounts since the start.
@@ -114,6 +116,7 @@ struct CableSystem::Impl {
   double strain_energy() const;
   SlotVectors velocities_at_positions();
   double kinetic_energy(const SlotVectors& velocity) const;
+  double unresolved_energy(const SlotVectors& velocity) const;
   double load_work() const;
   EnergyAudit audit();
   bool looks_sound() const;

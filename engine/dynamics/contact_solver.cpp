@@ -376,6 +376,15 @@ double ContactSolver::dissipated_power(const SlotVectors& velocities, const std:
   return power;
 }
 
+std::optional<ContactSolver::Depth> ContactSolver::deepest_contact() const {
+  std::optional<Depth> deepest;
+  for_each_contact([&](const ContactBlock& block, int lane) {
+    if (deepest && deepest->penetration >= block.penetration[lane]) return;
+    deepest = Depth{block.element[lane], block.body, block.penetration[lane]};
+  });
+  return deepest;
+}
+
 std::vector<ContactPoint> ContactSolver::contacts() const {
   std::vector<ContactPoint> result;
   for_each_contact([&](const ContactBlock& block, int lane) {

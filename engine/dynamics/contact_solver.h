@@ -10,6 +10,7 @@
 // the body.
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -55,7 +56,12 @@ class ContactSolver {
   // Contacts that bear force.
   std::vector<ContactPoint> contacts() const;
   const Eigen::Vector3d& force_on(std::int32_t body) const { return body_force_[body]; }
-  double deepest_penetration() const { return deepest_penetration_; }
+  double deepest_penetration() const { return deepest_penetration_; }  // m
+  struct Depth {
+    std::int32_t element, body;
+    double penetration;  // m
+  };
+  std::optional<Depth> deepest_contact() const;
 
  private:
   struct Pairs {                   // the elements of a block and a body

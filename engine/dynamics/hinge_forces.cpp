@@ -50,14 +50,16 @@ HingeForces hinge_forces(const Hinge& hinge, const Eigen::Vector3d& g1, const Ei
   const double angle_rate =
       sine < 1e-12 ? 0.0 : -(symmetric_dot(towards2, d2.rate) + symmetric_dot(towards1, t_rate)) / sine;
   const double damping_moment = hinge.damping * angle_rate;
-  const double factor =
-      hinge.stiffness * angle_over_sine(result.angle, sine) + (sine < 1e-12 ? 0.0 : damping_moment / sine);
+  const HingeHold hold1 = hinge_hold(d1.magnitude), hold2 = hinge_hold(d2.magnitude);
+  const double stiffness = hinge.stiffness * (hold1.hold * hold2.hold);
+  const double factor = stiffness * angle_over_sine(result.angle, sine) + (sine < 1e-12 ? 0.0 : damping_moment / sine);
+  const double bend = 0.5 * hinge.stiffness * result.angle * result.angle;
 
-  result.on_gradient2 = (factor / d2.magnitude) * towards2;
-  result.on_gradient1 = (factor / d1.magnitude) * turn_back(towards1);
+  result.on_gradient2 = (factor / d2.magnitude) * towards2 - (bend * (hold1.hold * hold2.rate)) * d2.unit;
+  result.on_gradient1 = (factor / d1.magnitude) * turn_back(towards1) - (bend * (hold2.hold * hold1.rate)) * d1.unit;
   // Rotating everything together changes no energy, so the moments on the gradients and on the body balance.
   result.torque_on_body = -(g1.cross(result.on_gradient1) + g2.cross(result.on_gradient2));
-  result.energy = 0.5 * hinge.stiffness * result.angle * result.angle;
+  result.energy = 0.5 * stiffness * result.angle * result.angle;
   result.dissipated_power = damping_moment * angle_rate;
   return result;
 }

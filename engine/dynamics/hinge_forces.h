@@ -2,15 +2,17 @@
 // Moments of hinges (model.h) on the two gradients they join and on the body that keeps their plane.
 //
 // With unit vectors t2 along gradient2 and t along gradient1 turned by the rest rotation R, the angle is
-// theta = atan2(|t x t2|, t.t2) and the energy stiffness theta^2/2. The moment on t2 is -(stiffness theta + damping
-// dtheta/dt) n, n = t x t2 / |t x t2|; as forces on the gradients, that is -moment/|g| along the unit vector in the
-// plane of the joint. Whatever moment the two gradients do not balance between them acts on the body, so the three
+// theta = atan2(|t x t2|, t.t2) and the energy stiffness theta^2/2, times the hold of each gradient where one is short:
+// what folds up so far that its slope vanishes has no direction to be held by. The moment on t2 is -(stiffness theta +
+// damping dtheta/dt) n, n = t x t2 / |t x t2|; as forces on the gradients, that is -moment/|g| along the unit vector in
+// the plane of the joint. Whatever moment the two gradients do not balance between them acts on the body, so the three
 // together exert none.
 //
 // The readable form; steps use hinge_kernel.h, which besides bounds the damping.
 
 #include <Eigen/Core>
 
+#include "engine/dynamics/hinge_hold.h"
 #include "engine/model/model.h"
 
 namespace netpocket {

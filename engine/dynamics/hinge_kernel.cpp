@@ -5,6 +5,7 @@
 
 #include "engine/ancf/element_slots.h"
 #include "engine/ancf/lanes.h"
+#include "engine/dynamics/hinge_hold.h"
 
 namespace netpocket::hinge_kernel::NETPOCKET_ISA_NAME {
 namespace {
@@ -61,6 +62,16 @@ NETPOCKET_INLINE Lanes angle_of(const Lanes& sine, const Lanes& cosine) {
   return angle;
 }
 
+// hinge_hold
+struct Hold {
+  Lanes hold, rate;
+};
+NETPOCKET_INLINE Hold hold_of(const Lanes& length) {
+  const Lanes firm = broadcast(kFirmHold), one = broadcast(1.0);
+  const Lanes x = length < firm ? length / firm : one;
+  return {x * x * (broadcast(3.0) - broadcast(2.0) * x), broadcast(6 / kFirmHold) * x * (one - x)};
+}
+
 }  // namespace
 
 void forces(const SlotRows& coordinates, const SlotRows& velocities, const double* inverse_mass, double dt,
@@ -95,11 +106,15 @@ void forces(const SlotRows& coordinates, const SlotRows& velocities, const doubl
     const Lanes damping = own_damping < allowed ? own_damping : allowed;
     const Lanes damping_moment = damping * angle_rate;
     const Lanes ratio = sine < broadcast(1e-8) ? one : angle * inverse_sine;
-    const Lanes factor = load(block.stiffness, part) * ratio + damping_moment * inverse_sine;
+    const Hold hold1 = hold_of(d1.magnitude), hold2 = hold_of(d2.magnitude);
+    const Lanes stiffness = load(block.stiffness, part);
+    const Lanes factor = stiffness * (hold1.hold * hold2.hold) * ratio + damping_moment * inverse_sine;
+    const Lanes bend = broadcast(0.5) * stiffness * angle * angle;
 
-    const Lanes3 force2 = (factor / d2.magnitude) * towards2;
+    const Lanes3 force2 = (factor / d2.magnitude) * towards2 - (bend * (hold1.hold * hold2.rate)) * d2.unit;
     const Lanes3 force1 =
-        (factor / d1.magnitude) * product(to_world, transposed_product(rest, transposed_product(to_world, towards1)));
+        (factor / d1.magnitude) * product(to_world, transposed_product(rest, transposed_product(to_world, towards1))) -
+        (bend * (hold2.hold * hold1.rate)) * d1.unit;
     const Lanes3 torque = cross(g1, force1) + cross(g2, force2);
     store3(block.on_gradient1[0], 0, part, force1);
     store3(block.on_gradient2[0], 0, part, force2);

@@ -111,6 +111,7 @@ struct Simulation::Impl {
   std::int64_t sound_step = 0;
   std::vector<std::int64_t> snapshot_steps;  // at which snapshots have been taken since the copy
   std::int64_t failed_step = 0;
+  std::string overload;  // which contact is pressed beyond all bounds, however short the steps; empty: none
 
   // Small random displacements of the free net nodes, to see how asymmetry grows.
   void perturb() {
@@ -162,11 +163,23 @@ struct Simulation::Impl {
     for (double* value : {&time_step, &wall, &cpu}) visit(*value);
   }
 
+  // Of the interval that ends now, `frame`: an output interval ends with it.
+  void be_cautious(bool frame) {
+    StepCaution& caution = step_choice.caution();
+    caution.follow_contacts();
+    if (caution.overload() > 0 && overload.empty()) overload = system.deepest_contact();
+    if (!frame || scenario.solver.time_step > 0) return;
+    const EnergyAudit energy = system.audit();
+    caution.follow_energy(energy.unresolved, energy.strain + std::abs(energy.input) + std::abs(energy.dissipated));
+  }
+
   // Divides the interval that begins now into equal steps.
   void begin_interval() {
     const double frame = 1 / scenario.output.frame_rate;
-    const double length = frame / std::ceil(frame / kLongestInterval);
+    const double intervals = std::ceil(frame / kLongestInterval);
+    const double length = frame / intervals;
     ++interval;
+    if (interval > 0) be_cautious(interval % static_cast<std::int64_t>(intervals) == 0);
     const double end = static_cast<double>(interval + 1) * length;
     const double allowed = scenario.solver.time_step > 0
                                ? scenario.solver.time_step
@@ -189,12 +202,14 @@ struct Simulation::Impl {
   void set_state(std::span<const double> values) {
     std::size_t next = 0;
     visit_state([&](double& value) { value = values[next++]; });
+    overload.clear();
   }
 
   void step() {
     if (interval < 0 || steps_in_interval == interval_steps) begin_interval();
     system.control(pocket.spacecraft, drive.at(system.time(), system.body(pocket.spacecraft).velocity.y()));
     system.step(time_step);
+    step_choice.caution().note_penetration(system.penetration());
     ++steps_in_interval;
   }
 
@@ -202,13 +217,14 @@ struct Simulation::Impl {
   std::optional<RunStatus> check() {
     auto fault = system.fault();
     if (!fault) fault = collapse();
+    if (!fault && !overload.empty()) fault = overload;
     if (!fault) return std::nullopt;
     return diverged(find_first_fault(*fault));
   }
 
   // Whether cords are strained so far, as by a failure before they fly apart, that nothing would ever come to an end.
   std::optional<std::string> collapse() const {
-    const double first = scenario.solver.safety * step_choice.first_stable_step();
+    const double first = scenario.solver.safety * step_choice.caution().part() * step_choice.first_stable_step();
     if (interval < 0 || scenario.solver.time_step > 0 || time_step > kCollapse * first) return std::nullopt;
     return fmt::format("cords are strained so far that the stable step has fallen from {:.3g} to {:.3g} s", first,
                        time_step);

@@ -66,7 +66,7 @@ double StepChoice::stable_step(const std::function<RopeMotion(double)>& winding,
   const StableStep rope_alone{.step = of_rope, .stiffness = 4 / (of_rope * of_rope)};
   const double bent = system_.stable_step_as_bent(rope_limits ? rope_alone : bound_);
   cause_ = rope_limits ? Cause::ropes : bent < kNotable * bound_.step ? Cause::bends : Cause::cables;
-  return expected(bent / (rope_limits ? of_rope : bound_.step)) * bent;
+  return caution_.part() * (expected(bent / (rope_limits ? of_rope : bound_.step)) * bent);
 }
 
 // The part of the bound that bends and strains leave until the next choice: they may go on growing as they have since
@@ -79,14 +79,22 @@ double StepChoice::expected(double left) {
 void StepChoice::note(double step) {
   if (step >= smallest_step_) return;
   smallest_step_ = step;
-  smallest_ = {cause_, bound_.limit, bound_.thread};
+  smallest_ = {cause_, bound_.limit, bound_.thread, shortening()};
+}
+
+StepChoice::Shortening StepChoice::shortening() const {
+  if (caution_.part() == 1) return Shortening::none;
+  return caution_.is_for_contacts() ? Shortening::contacts : Shortening::energy;
 }
 
 std::string StepChoice::limit() const {
   if (!std::isfinite(smallest_step_)) return limit_text(model_, bound_.limit, bound_.thread);
-  if (smallest_.cause == Cause::ropes) return "waves in the closing ropes, the shorter the faster";
-  const std::string cables = limit_text(model_, smallest_.mode, smallest_.thread);
-  return smallest_.cause == Cause::bends ? cables + ", and bends of cords" : cables;
+  std::string text = smallest_.cause == Cause::ropes ? "waves in the closing ropes, the shorter the faster"
+                                                     : limit_text(model_, smallest_.mode, smallest_.thread);
+  if (smallest_.cause == Cause::bends) text += ", and bends of cords";
+  if (smallest_.shortening == Shortening::contacts) text += "; shortened for contacts pressed deep";
+  if (smallest_.shortening == Shortening::energy) text += "; shortened to keep account of the energy of short waves";
+  return text;
 }
 
 void StepChoice::visit_state(const std::function<void(double&)>& visit) {
@@ -97,6 +105,8 @@ void StepChoice::visit_state(const std::function<void(double&)>& visit) {
   visit_enum(visit, smallest_.cause, Cause::ropes);
   visit_enum(visit, smallest_.mode, StepLimit::kink);
   visit_thread(visit, smallest_.thread);
+  visit_enum(visit, smallest_.shortening, Shortening::energy);
+  caution_.visit_state(visit);
 }
 
 }  // namespace netpocket

@@ -3,7 +3,8 @@
 //
 // Short closing ropes hold the rods' tips more stiffly, so the bound of the whole (stable_step.h) is found anew each
 // time they are 15 % shorter; the bound of one of their elements by itself follows their length at once; what bends and
-// tensions add is asked for at each choice. Contacts never limit the step: they are no stiffer than it resolves.
+// tensions add is asked for at each choice. Contacts are no stiffer than the step resolves, and limit it only when they
+// are pressed deep (step_caution.h).
 //
 // Thread contract: one thread at a time.
 
@@ -13,6 +14,7 @@
 
 #include "engine/dynamics/cable_system.h"
 #include "engine/dynamics/stable_step.h"
+#include "engine/dynamics/step_caution.h"
 #include "engine/model/model.h"
 
 namespace netpocket {
@@ -22,9 +24,11 @@ class StepChoice {
   // Of a system as built, which must outlive this; its closing ropes are all alike.
   explicit StepChoice(CableSystem& system);
 
-  // Largest stable step (s, without a safety factor) from the system's present time until `end` (s), with the ropes
-  // wound by this law.
+  // Largest step (s, without a safety factor) from the system's present time until `end` (s) that is stable, with the
+  // ropes wound by this law, and as cautious as need be.
   double stable_step(const std::function<RopeMotion(double)>& winding, double end);
+  StepCaution& caution() { return caution_; }
+  const StepCaution& caution() const { return caution_; }
 
   // As of the system at rest, before any choice. s
   double first_stable_step() const { return bound_.step; }
@@ -41,15 +45,18 @@ class StepChoice {
 
  private:
   enum class Cause : std::uint8_t { cables, bends, ropes };
+  enum class Shortening : std::uint8_t { none, contacts, energy };
   // What sets a step, in numbers.
   struct Limit {
     Cause cause = Cause::cables;
     StepLimit mode = StepLimit::nothing;
     std::int32_t thread = 0;
+    Shortening shortening = Shortening::none;
   };
 
   double step_of_rope_element(double length);
   double expected(double left);
+  Shortening shortening() const;
 
   CableSystem& system_;
   const Model& model_;
@@ -60,6 +67,7 @@ class StepChoice {
   double rope_step_ = 0;                                // s
   double left_ = 1;                                     // part of the bound that bends left at the last choice
   Cause cause_ = Cause::cables;                         // of the last choice
+  StepCaution caution_;
   double smallest_step_ = std::numeric_limits<double>::infinity();
   Limit smallest_;
 };

@@ -71,6 +71,29 @@ TEST_F(VerificationHinge, MomentEqualsStiffnessTimesAngle) {
   }
 }
 
+// A fold so violent that a slope vanishes: its direction is undefined, so it must not matter.
+TEST(Hinge, LetsGoOfASlopeThatVanishes) {
+  const Hinge hinge = KinkedRod(200, 30).hinge;
+  const Eigen::Vector3d zero = Eigen::Vector3d::Zero(), way(0.6, 0, 0.8), other(-0.9, 0.3, 0.2);
+  const auto at = [&](const Eigen::Vector3d& g1, const Eigen::Vector3d& g2) {
+    return hinge_forces(hinge, g1, g2, zero, zero, Eigen::Matrix3d::Identity(), zero);
+  };
+  double difference = 0;
+  for (const double length : {1e-3, 0.1, 0.3, 0.45, 1.0}) {
+    const Eigen::Vector3d g1 = length * way, g2 = 0.4 * other;
+    for (int axis = 0; axis < 3; ++axis) {
+      const Eigen::Vector3d d = 1e-6 * length * Eigen::Vector3d::Unit(axis);
+      const double on1 = -(at(g1 + d, g2).energy - at(g1 - d, g2).energy) / (2 * d[axis]);
+      const double on2 = -(at(g1, g2 + d).energy - at(g1, g2 - d).energy) / (2 * d[axis]);
+      difference = std::max(difference, std::abs(on1 - at(g1, g2).on_gradient1[axis]));
+      difference = std::max(difference, std::abs(on2 - at(g1, g2).on_gradient2[axis]));
+    }
+  }
+  EXPECT_LT(difference, 1e-5);  // N m; differences of 1e-6
+  EXPECT_LT(at(1e-6 * way, other).on_gradient1.norm(), 1e-2);
+  EXPECT_LT(at(1e-6 * way, other).energy, 1e-9);
+}
+
 TEST_F(VerificationHinge, DeflectionAgreesWithBeamTheory) {
   // Small load across the second rod at its tip: both rods bend, the hinge turns, superposed.
   const double EI = 200, stiffness = 30, force = 0.02, bend = 0.5;

@@ -1,0 +1,137 @@
+// Steps are shortened for contacts pressed deep and for energy that steps lose sight of
+// (engine/dynamics/step_caution.h).
+
+#include <gtest/gtest.h>
+
+#include "engine/dynamics/simulation.h"
+#include "engine/dynamics/step_caution.h"
+#include "engine/scenario/check_scenario.h"
+
+namespace netpocket {
+namespace {
+
+constexpr double kDeep = 0.1, kShallow = 0.001;  // m
+
+void stretch(StepCaution& caution, double depth) {
+  caution.note_penetration(depth);
+  caution.note_penetration(0);
+  caution.follow_contacts();
+}
+
+TEST(StepCaution, ShortensStepsWhileContactsAreDeep) {
+  StepCaution caution;
+  stretch(caution, kShallow);
+  EXPECT_EQ(caution.part(), 1);
+  stretch(caution, kDeep);
+  EXPECT_LT(caution.part(), 1);
+  EXPECT_TRUE(caution.is_for_contacts());
+  const double shortened = caution.part();
+  stretch(caution, 0.01);  // neither deep nor shallow
+  EXPECT_EQ(caution.part(), shortened);
+  stretch(caution, kShallow);
+  EXPECT_EQ(caution.part(), 1);
+}
+
+TEST(StepCaution, CallsOverloadWhatShortStepsDoNotMend) {
+  StepCaution caution;
+  stretch(caution, kDeep);
+  double last = 1;
+  while (caution.part() < last) {
+    EXPECT_EQ(caution.overload(), 0);
+    last = caution.part();
+    stretch(caution, kDeep);
+  }
+  stretch(caution, 0.03);  // deep, but no nonsense
+  EXPECT_EQ(caution.overload(), 0);
+  stretch(caution, kDeep);
+  EXPECT_EQ(caution.overload(), kDeep);
+}
+
+TEST(StepCaution, ShortensStepsThatLoseSightOfEnergy) {
+  StepCaution caution;
+  caution.follow_energy(1e-9, 0);  // rounding
+  caution.follow_energy(1e-3, 1);
+  EXPECT_EQ(caution.part(), 1);
+  caution.follow_energy(1e-2, 1);
+  EXPECT_EQ(caution.part(), 0.5);
+  EXPECT_FALSE(caution.is_for_contacts());
+  for (int i = 0; i < 10; ++i) caution.follow_energy(1e-2, 1);
+  EXPECT_EQ(caution.part(), 0.25);  // and no less
+  for (int i = 0; i < 100; ++i) caution.follow_energy(0, 1);
+  EXPECT_EQ(caution.part(), 1);
+}
+
+// A net of lead-like cords falls upon a light barrel and presses its rods onto it.
+Scenario heavy_net() {
+  Scenario s;
+  s.pocket.rod_count = 6;
+  s.pocket.mesh_columns = s.pocket.elements_per_side = 1;
+  s.pocket.mesh_rows = 3;
+  s.rods.profile = {{0.62, 0}, {4.38, 4.83}, {8.18, 12.99}};
+  s.net.diameter = 0.0113;
+  s.net.density = s.rope.density = 1e6;
+  s.net.youngs_modulus = s.rope.youngs_modulus = 2e12;
+  s.net.compression = s.rope.compression = 0;
+  s.net.axial_damping = s.rope.axial_damping = 0;
+  s.target.shape = TargetShape::cylinder;
+  s.target.radius = 2.37;
+  s.target.length = 3.52;
+  s.target.mass = 2365;
+  s.target.inertia = {5749, 6616, 5749};
+  s.target.position = {1.17, 12.93, -0.39};
+  s.target.attitude = {2.49, 1.12, -0.02};
+  s.contact.restitution = s.contact.friction = 0;
+  s.contact.samples_per_element = 1;
+  s.closing.start = 0.99;
+  s.solver.gravity = {4.2, 1.2, -4.3};
+  s.output.end_time = 2;
+  s.output.frame_rate = 25;
+  EXPECT_TRUE(check_scenario(s).ok());
+  return s;
+}
+
+TEST(Caution, KeepsHeavyCordsOutOfTheTarget) {
+  Simulation simulation(heavy_net());
+  ASSERT_EQ(simulation.advance(1.9).reason, RunReason::finished);
+  simulation.snapshot();
+  ASSERT_EQ(simulation.advance(2).reason, RunReason::finished);
+  EXPECT_LT(simulation.snapshot().channel(Channel::penetration_max), 0.06);
+  EXPECT_NE(simulation.statistics().step_limit.find("shortened for contacts pressed deep"), std::string::npos);
+}
+
+TEST(Caution, OfGivenStepsSaysWhichContactIsOverloaded) {
+  Scenario scenario = heavy_net();
+  scenario.solver.time_step = 1.2e-3;
+  const RunStatus status = Simulation(scenario).advance(2);
+  ASSERT_EQ(status.reason, RunReason::diverged) << status.message;
+  for (const char* part :
+       {"rod ", "(element ", " is pressed 0.", " m into the target in step ", "; try a solver.time_step below 0.00"}) {
+    EXPECT_NE(status.message.find(part), std::string::npos) << status.message;
+  }
+}
+
+// Neither who looks at the run nor a restart in the midst of shortened steps changes a bit.
+TEST(Caution, IsPartOfTheState) {
+  Simulation watched(heavy_net()), unwatched(heavy_net());
+  for (int frame = 1; frame <= 48; ++frame) {
+    watched.advance(frame / 25.0);
+    watched.snapshot();
+  }
+  unwatched.advance(48 / 25.0);
+  Simulation restored(heavy_net());
+  restored.restore(unwatched.checkpoint());
+  Snapshot end[3];
+  Simulation* simulations[] = {&watched, &unwatched, &restored};
+  for (int i = 0; i < 3; ++i) {
+    simulations[i]->advance(2);
+    end[i] = simulations[i]->snapshot();
+  }
+  for (int i = 1; i < 3; ++i) {
+    EXPECT_EQ(end[i].positions, end[0].positions);
+    EXPECT_EQ(end[i].velocities, end[0].velocities);
+    EXPECT_EQ(end[i].step, end[0].step);
+  }
+}
+
+}  // namespace
+}  // namespace netpocket
