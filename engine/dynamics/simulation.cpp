@@ -111,7 +111,8 @@ struct Simulation::Impl {
   std::int64_t sound_step = 0;
   std::vector<std::int64_t> snapshot_steps;  // at which snapshots have been taken since the copy
   std::int64_t failed_step = 0;
-  std::string overload;  // which contact is pressed beyond all bounds, however short the steps; empty: none
+  double failed_step_size = 0;  // s
+  std::string overload;         // which contact is pressed beyond all bounds, however short the steps; empty: none
 
   // Small random displacements of the free net nodes, to see how asymmetry grows.
   void perturb() {
@@ -248,12 +249,14 @@ struct Simulation::Impl {
            ++next_snapshot) {
         snapshot();
       }
-      // Only steps of the last checked stretch can have failed.
-      if (system.steps() + kFaultInterval >= end) sound_state = state();
+      // The check before this stretch has passed: speeds may have been higher for a moment, but came back.
+      const bool in_last_stretch = system.steps() + kFaultInterval >= end;
+      if (in_last_stretch) sound_state = state();
       step();
-      fault = system.fault();
+      if (in_last_stretch) fault = system.fault();
     }
     failed_step = system.steps();
+    failed_step_size = time_step;
     set_state(sound_state);
     keep_sound_state();
     return fault.value_or(latest);
@@ -268,10 +271,10 @@ struct Simulation::Impl {
 
   RunStatus diverged(const std::string& fault) const {
     const std::string advice = scenario.solver.time_step > 0
-                                   ? fmt::format("try a solver.time_step below {:.3g} s", time_step)
+                                   ? fmt::format("try a solver.time_step below {:.3g} s", failed_step_size)
                                    : fmt::format("try solver.safety below {}", scenario.solver.safety);
     return {RunReason::diverged, system.time(),
-            fmt::format("{} in step {} of {}, at t = {:.4f} s; {}", fault, failed_step, step_text(time_step),
+            fmt::format("{} in step {} of {}, at t = {:.4f} s; {}", fault, failed_step, step_text(failed_step_size),
                         system.time(), advice)};
   }
 };

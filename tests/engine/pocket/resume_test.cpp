@@ -178,6 +178,8 @@ TEST(Divergence, OverflowIsSurvivedAndExplained) {
   const RunStatus status = Simulation(scenario).advance(3);
   EXPECT_EQ(status.reason, RunReason::diverged);
   EXPECT_NE(status.message.find(" in step "), std::string::npos) << status.message;
+  // The state before it is that of the start, which has no step yet.
+  EXPECT_NE(status.message.find(" of 10 ms, at t = "), std::string::npos) << status.message;
 }
 
 // Next to rods with hardly any mass their hinge is what limits the step, in both evaluations.
