@@ -164,11 +164,17 @@ struct Simulation::Impl {
     for (double* value : {&time_step, &wall, &cpu}) visit(*value);
   }
 
+  std::string overload_text(double depth) const {
+    const std::string contact = system.deepest_contact();
+    return fmt::format("{} ({:.2g} m within the last {} s)",
+                       contact.empty() ? "a cord was pressed into a body" : contact, depth, kLongestInterval);
+  }
+
   // Of the interval that ends now, `frame`: an output interval ends with it.
   void be_cautious(bool frame) {
     StepCaution& caution = step_choice.caution();
     caution.follow_contacts();
-    if (caution.overload() > 0 && overload.empty()) overload = system.deepest_contact();
+    if (caution.overload() > 0 && overload.empty()) overload = overload_text(caution.overload());
     if (!frame || scenario.solver.time_step > 0) return;
     const EnergyAudit energy = system.audit();
     caution.follow_energy(energy.unresolved, energy.strain + std::abs(energy.input) + std::abs(energy.dissipated));

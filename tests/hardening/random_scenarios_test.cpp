@@ -32,7 +32,8 @@ constexpr double kEnergyBound = 0.02;
 // these is up to four fifths less than the audit's, and their damping is booked half a step early.
 constexpr double kPerturbedEnergyBound = 0.1;
 constexpr double kSmallPerturbation = 1e-4;  // m
-// Of all kinetic energy: what its rounding may feign where nothing changes hands.
+// Of all kinetic energy: what its rounding may feign where nothing changes hands, and to what a free body that tumbles
+// at 10 rad/s keeps its own in steps of a millisecond (5e-7, with the square of the step).
 constexpr double kRounding = 1e-6;
 // How deep a contact point of a cord may be in the target: contact is compliant.
 constexpr double kDepthBound = 0.05;  // m
@@ -51,14 +52,15 @@ double largest(const std::vector<double>& values) {
 // of what the net does.
 double energy_error(const Recording& run) {
   std::vector<double> kinetic_change = run.channel(Channel::energy_kinetic);
-  double scale = std::max(1e-9, kRounding * largest(kinetic_change));
+  const double rounding = kRounding * largest(kinetic_change);
+  double scale = std::max(1e-9, rounding);
   const double start = kinetic_change.front();
   for (double& energy : kinetic_change) energy -= start;
   scale = std::max(scale, largest(kinetic_change));
   for (const Channel c : {Channel::energy_strain, Channel::energy_input, Channel::energy_dissipated}) {
     scale = std::max(scale, largest(run.channel(c)));
   }
-  return largest(run.channel(Channel::energy_error)) / scale;
+  return std::max(0.0, largest(run.channel(Channel::energy_error)) - rounding) / scale;
 }
 
 // How deep the deepest contact point of a cord is in the target at the end, m; 0 outside. Between these points the
