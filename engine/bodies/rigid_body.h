@@ -81,6 +81,7 @@ class RigidBody {
  private:
   // I^-1 v in world axes.
   Eigen::Vector3d apply_inverse_inertia(const Eigen::Vector3d& v) const;
+  void turn_freely(double dt);
   void turn_about_principal_axis(int axis, double dt);
   void turn_about_angular_momentum(double dt);
   void update_rotation();

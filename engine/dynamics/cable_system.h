@@ -106,6 +106,9 @@ class CableSystem {
 
   // Energies now. Evaluates the forces once; does not change the motion.
   EnergyAudit audit();
+  // EnergyAudit::unresolved (J) of a step of `dt` (s) from now on. Evaluates the forces once; does not change the
+  // motion.
+  double unresolved_energy(double dt);
   // Fills everything but the channels and returns the energies. Evaluates the forces once; does not change the motion.
   EnergyAudit capture(Snapshot& snapshot);
 

@@ -53,10 +53,10 @@ double CableSystem::Impl::strain_energy() const {
   return energy;
 }
 
-// Velocities half a step on, where positions are.
-SlotVectors CableSystem::Impl::velocities_at_positions() {
+// Half of the last step brings velocities to where positions are.
+SlotVectors CableSystem::Impl::velocities_after(double kick) {
   SlotVectors velocity = velocities, unused = coordinates;
-  move_slots(velocity, unused, 0.5 * last_dt, 0);
+  move_slots(velocity, unused, kick, 0);
   return velocity;
 }
 
@@ -103,7 +103,7 @@ EnergyAudit CableSystem::Impl::audit() {
   const double half_kick = 0.5 * last_dt;
   compute_states();
   step_of_states = steps;
-  const SlotVectors velocity = velocities_at_positions();
+  const SlotVectors velocity = velocities_after(half_kick);
   const RopeDynamics::FlowEnergy flow = ropes.flow_energy(coordinates, velocity);
   EnergyAudit result;
   result.kinetic = kinetic_energy(velocity) + flow.kinetic;
@@ -123,6 +123,12 @@ EnergyAudit CableSystem::audit() {
   if (s.step_of_audit == s.steps && s.step_of_forces == s.steps) return s.last_audit;
   s.keep_forces_current(s.last_dt > 0 ? s.last_dt : 1e-4);
   return s.audit();
+}
+
+double CableSystem::unresolved_energy(double dt) {
+  Impl& s = *impl_;
+  s.keep_forces_current(s.last_dt > 0 ? s.last_dt : 1e-4);
+  return s.unresolved_energy(s.velocities_after(0.5 * dt));
 }
 
 namespace {

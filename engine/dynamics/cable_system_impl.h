@@ -114,7 +114,7 @@ struct CableSystem::Impl {
   double resisted(std::size_t element, std::size_t row) const;
   double tension(std::size_t element) const;
   double strain_energy() const;
-  SlotVectors velocities_at_positions();
+  SlotVectors velocities_after(double kick);
   double kinetic_energy(const SlotVectors& velocity) const;
   double unresolved_energy(const SlotVectors& velocity) const;
   double load_work() const;

@@ -30,6 +30,12 @@ void StepCaution::follow_contacts() {
   if (deepest < kShallow) for_contacts_ = std::min(1.0, for_contacts_ / kShortening);
 }
 
+// It goes with the square of the step.
+void StepCaution::foresee_energy(double unresolved, double changed_hands) {
+  const double limit = kUnresolved * std::max(changed_hands, kLeastEnergy);
+  while (unresolved * for_energy_ * for_energy_ > limit && for_energy_ > kLeastForEnergy) for_energy_ *= 0.5;
+}
+
 // The energy not resolved comes and goes with the waves: steps grow again slowly.
 void StepCaution::follow_energy(double unresolved, double changed_hands) {
   const double limit = kUnresolved * std::max(changed_hands, kLeastEnergy);

@@ -19,6 +19,8 @@ class StepCaution {
   void note_penetration(double depth) { deepest_ = std::max(deepest_, depth); }
   // At the end of a stretch of equal steps, of 0.01 s at most.
   void follow_contacts();
+  // At the start, of steps of the size that stability allows: what follow_energy is told later.
+  void foresee_energy(double unresolved, double changed_hands);
   // At the end of an output interval: the energy (J) that the steps do not resolve and that which has changed hands.
   void follow_energy(double unresolved, double changed_hands);
 

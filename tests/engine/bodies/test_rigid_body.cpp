@@ -122,14 +122,16 @@ EnergyRecord tumble(const Matrix3d& inertia, int steps_per_revolution) {
 
 TEST(RigidBody, TumblingKeepsItsEnergy) {
   for (const Matrix3d& inertia : {kBoxInertia, turned_inertia()}) {
-    const EnergyRecord coarse = tumble(inertia, 500);
-    const EnergyRecord fine = tumble(inertia, 1000);
-    RecordProperty("swing_at_1000_steps_per_revolution", std::to_string(fine.swing));
-    std::printf("energy: swing %.2e, drift %.2e at 500; swing %.2e, drift %.2e at 1000 steps per revolution\n",
+    // Steps so small that they are one turn each.
+    const EnergyRecord coarse = tumble(inertia, 8000);
+    const EnergyRecord fine = tumble(inertia, 16000);
+    RecordProperty("swing_at_16000_steps_per_revolution", std::to_string(fine.swing));
+    std::printf("energy: swing %.2e, drift %.2e at 8000; swing %.2e, drift %.2e at 16000 steps per revolution\n",
                 coarse.swing, coarse.drift, fine.swing, fine.drift);
     EXPECT_LT(fine.drift, 1e-6);
-    EXPECT_LT(fine.swing, 1e-6);                       // bounded: (2 pi/1000)^2 times the share of the spin in it
+    EXPECT_LT(fine.swing, 1e-8);                       // bounded: (2 pi/16000)^2 times the share of the spin in it
     EXPECT_NEAR(coarse.swing / fine.swing, 4.0, 0.2);  // and of second order
+    EXPECT_LT(tumble(inertia, 500).swing, 1e-7);       // large steps turn in parts
   }
 }
 

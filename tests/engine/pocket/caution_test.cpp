@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "engine/dynamics/simulation.h"
 #include "engine/dynamics/step_caution.h"
 #include "engine/scenario/check_scenario.h"
@@ -61,6 +63,16 @@ TEST(StepCaution, ShortensStepsThatLoseSightOfEnergy) {
   EXPECT_EQ(caution.part(), 1);
 }
 
+TEST(StepCaution, ForeseesWhatTheFirstStepsDoNotResolve) {
+  StepCaution caution;
+  caution.foresee_energy(1e-3, 1);
+  EXPECT_EQ(caution.part(), 1);
+  caution.foresee_energy(6e-3, 1);
+  EXPECT_EQ(caution.part(), 0.5);
+  caution.foresee_energy(1, 1);
+  EXPECT_EQ(caution.part(), 0.25);
+}
+
 // A net of lead-like cords falls upon a light barrel and presses its rods onto it.
 Scenario heavy_net() {
   Scenario s;
@@ -106,6 +118,28 @@ TEST(Caution, OfGivenStepsSaysWhichContactIsOverloaded) {
   ASSERT_EQ(status.reason, RunReason::diverged) << status.message;
   for (const char* part : {"rod ", "(element ", " is pressed 0.", " m into the target (0.",
                            " m within the last 0.01 s) in step ", "; try a solver.time_step below 0.00"}) {
+    EXPECT_NE(status.message.find(part), std::string::npos) << status.message;
+  }
+}
+
+// Displacements of millimetres put energy into the shortest waves.
+TEST(Caution, KeepsAccountOfEnergyOrSaysThatItDoesNot) {
+  Scenario scenario;
+  scenario.pocket.mesh_columns = scenario.pocket.mesh_rows = 2;
+  scenario.solver.perturbation = 3e-3;
+  scenario.output.frame_rate = 25;
+  Simulation simulation(scenario);
+  const double stable = simulation.statistics().time_step;
+  ASSERT_EQ(simulation.advance(0.2).reason, RunReason::finished);
+  const Snapshot cautious = simulation.snapshot();
+  EXPECT_LT(std::abs(cautious.channel(Channel::energy_error)), 0.01 * cautious.channel(Channel::energy_dissipated));
+  EXPECT_LT(cautious.channel(Channel::time_step), 0.5 * stable);
+
+  scenario.solver.time_step = stable;
+  const RunStatus status = Simulation(scenario).advance(0.2);
+  ASSERT_EQ(status.reason, RunReason::diverged) << status.message;
+  for (const char* part : {"the account of energy is off by ", " % of what has changed hands in step ",
+                           "; try a solver.time_step below 0.00"}) {
     EXPECT_NE(status.message.find(part), std::string::npos) << status.message;
   }
 }
