@@ -154,7 +154,8 @@ class GridLayout {
     for (std::size_t column = 0; column < columns_; ++column) {
       left += gutters[column].width();
       for (std::size_t i = column; i < layouts.size(); i += columns_) {
-        const double top = area_.y + static_cast<double>(i / columns_) * cell_height_ + above_;
+        const std::size_t row = i / columns_;
+        const double top = area_.y + static_cast<double>(row) * cell_height_ + above_;
         layouts[i].frame = {left, top, frame_width, frame_height_};
         layouts[i].y_title_baseline = left - gutters[column].title_baseline();
         layouts[i].x_ticks = make_ticks(layouts[i].x_limits, intervals(frame_width, style::kTickSpacingX));

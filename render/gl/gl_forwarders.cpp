@@ -44,10 +44,10 @@ Function proc_address(const char* provider, const GLubyte* name) {
 // Marks a program that carries the forwarders.
 NETPOCKET_EXPORT void netpocket_gl_forwarders() {}
 
-#define NETPOCKET_GL_FORWARD(result, name, parameters, arguments)               \
-  NETPOCKET_EXPORT result name parameters {                                     \
-    static const auto next = reinterpret_cast<decltype(&name)>(resolve(#name)); \
-    return next arguments;                                                      \
+#define NETPOCKET_GL_FORWARD(result, name, parameters, arguments)                 \
+  NETPOCKET_EXPORT result name parameters {                                       \
+    static const auto next = reinterpret_cast<decltype(&(name))>(resolve(#name)); \
+    return next arguments;                                                        \
   }
 NETPOCKET_GL_FUNCTIONS(NETPOCKET_GL_FORWARD)
 

@@ -196,10 +196,11 @@ std::string GltfDocument::bytes() const {
   std::string text = json.dump(), data = buffer_;
   pad(text, ' ');
   pad(data, '\0');
+  // A type has four characters; the last one of BIN is the zero that ends it.
   const auto chunk = [](const std::string& content, const char* type) {
     return little_endian(static_cast<std::uint32_t>(content.size())) + std::string(type, 4) + content;
   };
-  const std::string chunks = chunk(text, "JSON") + chunk(data, "BIN\0");
+  const std::string chunks = chunk(text, "JSON") + chunk(data, "BIN");
   return "glTF" + little_endian(2) + little_endian(static_cast<std::uint32_t>(12 + chunks.size())) + chunks;
 }
 

@@ -7,7 +7,7 @@
 
 namespace netpocket {
 
-CaptureSession::CaptureSession(SessionOptions options)
+CaptureSession::CaptureSession(const SessionOptions& options)
     : runs_(options.origin, options.cache_bytes, options.folder.isEmpty() ? QDir::tempPath() : options.folder) {
   connect(&runs_, &RunLibrary::frame_loaded, this, &CaptureSession::frame_loaded);
   connect(&runs_, &RunLibrary::failed, this, &CaptureSession::failed);

@@ -20,7 +20,7 @@ struct SessionOptions {
 class CaptureSession : public QObject {
   Q_OBJECT
  public:
-  explicit CaptureSession(SessionOptions options);
+  explicit CaptureSession(const SessionOptions& options);
   ~CaptureSession() override;
 
   RunLibrary& runs() { return runs_; }

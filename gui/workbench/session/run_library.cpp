@@ -223,7 +223,7 @@ void RunLibrary::begin(RunId id, std::shared_ptr<const Structure> structure, con
   emit run_changed(id);
 }
 
-void RunLibrary::append(RunId id, std::shared_ptr<const Snapshot> frame, const RunStatistics& statistics,
+void RunLibrary::append(RunId id, const std::shared_ptr<const Snapshot>& frame, const RunStatistics& statistics,
                         double speed) {
   Run* run = get(id);
   if (run == nullptr) return;

@@ -42,7 +42,7 @@ class RunLibrary : public QObject {
   void remove_note(RunId id, double time);
 
   void begin(RunId id, std::shared_ptr<const Structure> structure, const Scenario& scenario);
-  void append(RunId id, std::shared_ptr<const Snapshot> frame, const RunStatistics& statistics, double speed);
+  void append(RunId id, const std::shared_ptr<const Snapshot>& frame, const RunStatistics& statistics, double speed);
   void append(RunId id, std::shared_ptr<const Checkpoint> checkpoint);
   // Reads from a run's recording what leads to `time` (s), then calls `use` on the user interface's thread: with
   // nothing when it cannot be read, which is reported.

@@ -21,7 +21,7 @@ void ViewportOverlay::set_camera(const CameraView& view) {
   update();
 }
 
-void ViewportOverlay::set_selection(std::optional<Eigen::Vector3d> point) {
+void ViewportOverlay::set_selection(const std::optional<Eigen::Vector3d>& point) {
   selection_ = point;
   update();
 }

@@ -16,7 +16,7 @@ class ViewportOverlay : public QWidget {
 
   void set_camera(const CameraView& view);
   // Points in the world, m.
-  void set_selection(std::optional<Eigen::Vector3d> point);
+  void set_selection(const std::optional<Eigen::Vector3d>& point);
   // None, the first or both ends of the measured distance.
   void set_measure(const std::vector<Eigen::Vector3d>& points);
   // In the middle of an empty viewport, and below the picture's top edge.
