@@ -4,7 +4,7 @@
 //   with dt^(5/3). Deeper than kDeep, steps are shortened until contacts are stiff enough.
 // - Waves whose period is a few steps keep their own energy, not the true one: the account of energy misses the part
 //   (w dt/2)^2 of theirs. Where that is more than kUnresolved of what has changed hands, steps are shortened.
-// Ordinary captures do neither: penetrations stay below 1 mm and the energy missed below 0.1 %.
+// Ordinary captures do neither: penetrations stay below 4 mm.
 //
 // Follows what it is told step by step, at times that do not depend on who looks at the run.
 
