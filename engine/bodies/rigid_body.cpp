@@ -68,7 +68,9 @@ void RigidBody::kick(const Vector3d& force, const Vector3d& torque, double dt) {
 
 void RigidBody::drift(double dt) {
   state_.position += dt * state_.velocity;
-  const double parts = std::clamp(std::ceil(symmetric_norm(angular_velocity_) * dt / kLargestTurn), 1.0, kMostTurns);
+  // One where a lost state has no number for it.
+  const double parts =
+      std::min(kMostTurns, std::max(1.0, std::ceil(symmetric_norm(angular_velocity_) * dt / kLargestTurn)));
   for (int part = 0; part < static_cast<int>(parts); ++part) turn_freely(dt / parts);
   turn_about_angular_momentum(dt);  // commutes with the other turns
   state_.attitude.normalize();

@@ -98,6 +98,7 @@ void CableSystem::Impl::begin_accounts() {
   const EnergyAudit start = audit();
   initial_energy = start.kinetic + start.strain;
   initial_input = start.input;
+  step_of_audit = -1;  // that one knew no start
 }
 
 void CableSystem::Impl::set_initial_state() {
@@ -303,7 +304,8 @@ void CableSystem::displace(std::span<const Eigen::Vector3d> displacements) {
     if (impl_->model.nodes[i].support != Support::free) continue;
     impl_->coordinates.add(impl_->layout.position(static_cast<std::int32_t>(i)), displacements[i]);
   }
-  impl_->step_of_states = impl_->step_of_forces = -1;
+  impl_->step_of_states = -1;
+  impl_->forget_forces();
   impl_->begin_accounts();
 }
 void CableSystem::control(std::int32_t body, const BodyControl& control) {
@@ -312,16 +314,16 @@ void CableSystem::control(std::int32_t body, const BodyControl& control) {
 }
 void CableSystem::set_rope_motion(const std::function<RopeMotion(double)>& motion) {
   impl_->ropes.set_motion(motion);
-  impl_->step_of_forces = -1;
+  impl_->forget_forces();
 }
 void CableSystem::set_wrinkling_moment(std::int32_t material, double moment) {
   const double before = impl_->wrinkling.energy(impl_->coordinates);
   impl_->wrinkling.set_moment(material, moment);
-  impl_->step_of_forces = -1;
+  impl_->forget_forces();
   impl_->input_work += impl_->wrinkling.energy(impl_->coordinates) - before;
 }
 void CableSystem::set_friction(double coefficient) {
-  impl_->step_of_forces = -1;
+  impl_->forget_forces();
   impl_->contacts.set_friction(coefficient);
   if (impl_->cord_contacts) impl_->cord_contacts->set_friction(coefficient);
 }
@@ -383,7 +385,8 @@ void CableSystem::visit_state(const std::function<void(double&)>& visit) {
   // A file may hold what is no count.
   if (steps >= 0 && steps < 9e15) s.steps = static_cast<std::int64_t>(steps);
   if (!changed) return;
-  s.step_of_states = s.step_of_forces = -1;
+  s.step_of_states = -1;
+  s.forget_forces();
   s.contacts.forget_candidates();
   if (s.cord_contacts) s.cord_contacts->forget_candidates();
 }

@@ -53,12 +53,28 @@ double CableSystem::Impl::strain_energy() const {
   return energy;
 }
 
-// Half of the last step brings velocities to where positions are.
+// Velocities a kick (s) later: half of the last step brings them to where positions are.
 SlotVectors CableSystem::Impl::velocities_after(double kick) {
   SlotVectors velocity = velocities, unused = coordinates;
   move_slots(velocity, unused, kick, 0);
   return velocity;
 }
+
+namespace {
+
+// Of all that moves by itself: what moves with a body, or not at all, has no inverse mass.
+template <typename Squares>
+double lumped_energy(std::span<const double> mass, std::span<const double> inverse_mass,
+                     const Squares& speeds_squared) {
+  const auto values = [](std::span<const double> by_slot) {
+    return Eigen::Map<const Eigen::Array<double, kBlockSize, Eigen::Dynamic>>(
+        by_slot.data(), kBlockSize, static_cast<Eigen::Index>(by_slot.size()) / kBlockSize);
+  };
+  const auto moving = (values(inverse_mass) != 0).template cast<double>();
+  return 0.5 * (moving * values(mass) * speeds_squared).sum();
+}
+
+}  // namespace
 
 // Of bodies, and of nodes and slopes with their lumped or consistent mass at these velocities.
 double CableSystem::Impl::kinetic_energy(const SlotVectors& velocity) const {
@@ -67,23 +83,12 @@ double CableSystem::Impl::kinetic_energy(const SlotVectors& velocity) const {
     energy += bodies[b].kinetic_energy_after(wrenches[b], controls[b], 0.5 * last_dt);
   }
   if (consistent_mass) return energy + consistent_mass->kinetic_energy(velocity, mass);
-  const auto values = [&](const auto& by_slot) {
-    return Eigen::Map<const Eigen::Array<double, kBlockSize, Eigen::Dynamic>>(by_slot.data(), kBlockSize,
-                                                                              layout.size() / kBlockSize);
-  };
-  // What moves with a body, or not at all, has no inverse mass.
-  const auto moving = (values(inverse_mass) != 0).template cast<double>();
-  return energy + 0.5 * (moving * values(mass) * velocity.squared_norms(0, layout.size())).sum();
+  return energy + lumped_energy(mass, inverse_mass, velocity.squared_norms(0, layout.size()));
 }
 
 // Velocities half a step apart differ by that of the waves that a step does not resolve.
 double CableSystem::Impl::unresolved_energy(const SlotVectors& velocity) const {
-  double energy = 0;
-  for (std::int32_t slot = 0; slot < layout.size(); ++slot) {
-    if (inverse_mass[slot] == 0) continue;
-    energy += 0.5 * mass[slot] * (velocity.get(slot) - velocities.get(slot)).squaredNorm();
-  }
-  return energy;
+  return lumped_energy(mass, inverse_mass, velocity.squared_distances(velocities, 0, layout.size()));
 }
 
 // Work of gravity and constant loads up to an additive constant.
@@ -152,8 +157,7 @@ void copy_slots(const SlotVectors& vectors, std::int32_t first, std::int32_t cou
 
 EnergyAudit CableSystem::capture(Snapshot& snapshot) {
   Impl& s = *impl_;
-  s.keep_forces_current(s.last_dt > 0 ? s.last_dt : 1e-4);
-  const EnergyAudit energies = s.audit();
+  const EnergyAudit energies = audit();
   snapshot.time = s.time;
   snapshot.step = s.steps;
   copy_slots(s.coordinates, s.layout.position(0), s.layout.node_count, snapshot.positions);

@@ -99,6 +99,7 @@ struct CableSystem::Impl {
   double contact_power() const;
   void compute_forces(double dt);
   void keep_forces_current(double dt);
+  void forget_forces() { step_of_forces = step_of_audit = -1; }
   void kick_and_drift(SlotVectors& v, SlotVectors& x, const AlignedVector<double>& inverse_masses, double kick,
                       double drift);
   void move_slots(SlotVectors& v, SlotVectors& x, double kick, double drift);

@@ -120,6 +120,16 @@ EnergyRecord tumble(const Matrix3d& inertia, int steps_per_revolution) {
   return record;
 }
 
+// A run that has failed takes another step or two before that is seen.
+TEST(RigidBody, SurvivesWhatIsNoNumber) {
+  for (const double spin : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    RigidBody body(12, kBoxInertia);
+    body.kick(Vector3d::Zero(), Vector3d(0, spin, 0), 1);
+    body.drift(1e-3);
+    EXPECT_FALSE(std::isfinite(body.kinetic_energy()));
+  }
+}
+
 TEST(RigidBody, TumblingKeepsItsEnergy) {
   for (const Matrix3d& inertia : {kBoxInertia, turned_inertia()}) {
     // Steps so small that they are one turn each.

@@ -79,7 +79,7 @@ TEST(StepChoice, SaysWhatLimits) {
   const double bound =
       0.9 * stable_step_of_lumped_element(cord_material(scenario.rope).section, 1.2 / scenario.closing.elements, true);
   EXPECT_LE(closed.time_step, bound);
-  EXPECT_GT(closed.time_step, 0.8 * bound);
+  EXPECT_GT(closed.time_step, 0.95 * bound);
 
   scenario.solver.time_step = 2e-5;
   EXPECT_EQ(Simulation(scenario).statistics().step_limit, "solver.time_step");
