@@ -42,7 +42,8 @@ CordStyle closing_rope_style(const SceneOptions& options) {
 
 }  // namespace
 
-PocketScene::PocketScene(const Structure& structure, const SceneOptions& options, vtkSmartPointer<vtkRenderer> renderer)
+PocketScene::PocketScene(const Structure& structure, const SceneOptions& options,
+                         const vtkSmartPointer<vtkRenderer>& renderer)
     : structure_(structure),
       options_(options),
       scale_(structure_, options_),

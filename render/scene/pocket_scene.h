@@ -32,7 +32,8 @@ struct SceneObject {
 class PocketScene {
  public:
   // Draws in `renderer`, or in one of its own. Other options mean another scene; the renderer and its camera may stay.
-  PocketScene(const Structure& structure, const SceneOptions& options, vtkSmartPointer<vtkRenderer> renderer = nullptr);
+  PocketScene(const Structure& structure, const SceneOptions& options,
+              const vtkSmartPointer<vtkRenderer>& renderer = nullptr);
   ~PocketScene();  // takes its props out of the renderer
   PocketScene(const PocketScene&) = delete;
   PocketScene& operator=(const PocketScene&) = delete;

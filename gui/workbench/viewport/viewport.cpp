@@ -188,7 +188,7 @@ void Viewport::update_overlay(const ViewState& shown) {
   place_panel();
 }
 
-void Viewport::select(std::optional<Pick> pick) {
+void Viewport::select(const std::optional<Pick>& pick) {
   selection_ = pick;
   update_overlay(shown_);
   emit picked(selection_);

@@ -56,7 +56,7 @@ class Viewport : public QWidget {
   // Whether a left drag moves the body under the mouse. The picture follows at once; what else a move means is for
   // those to do who listen to body_dragged().
   void set_moving(bool moving);
-  void select(std::optional<Pick> pick);
+  void select(const std::optional<Pick>& pick);
   const std::optional<Pick>& selection() const { return selection_; }
   const std::vector<Pick>& measured() const { return measured_; }
 
