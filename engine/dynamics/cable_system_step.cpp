@@ -203,8 +203,8 @@ void CableSystem::Impl::step(double dt) {
   input_work -= 0.5 * ropes_change;
   ropes.finish_step();
   for (std::size_t b = 0; b < bodies.size(); ++b) input_work += bodies[b].step(wrenches[b], controls[b], kick, dt);
-  dissipated += 0.5 * kick * (power_before + contact_power());
   for (DynamicBody& body : bodies) body.move_attachments(coordinates, velocities);
+  dissipated += 0.5 * kick * (power_before + contact_power());
   time += dt;
   last_dt = dt;
   ++steps;

@@ -207,6 +207,33 @@ TEST_F(VerificationCordContact, EnergyAudit) {
   }
 }
 
+// The clamped end of a rod moves with its body, which a blow there sets in motion within a step.
+TEST_F(VerificationCordContact, EnergyAuditOfABlowOnAClampedEnd) {
+  CableMaterial rod = plain_cable(1e6, 50, 1);
+  rod.radius = 0.02;
+  Cable cable = straight_cable(rod, {0, 0, 0}, {0.4, 0, 0}, 1);
+  Model& model = cable.model;
+  model.add_body({.name = "hub",
+                  .shape = Sphere{0.05},
+                  .mass = 0.5,
+                  .inertia = Vector3d(0.01, 0.01, 0.01).asDiagonal(),
+                  .state = {}});
+  model.clamp_to_body(cable.nodes.front(), cable.gradients.front(), 0);
+  CableMaterial bar = plain_cable(1e6, 50, 5);
+  bar.radius = 0.02;
+  for (const std::int32_t node : add_cord(model, model.add_material(bar), {0.03, 0.06, -0.4}, {0.03, 0.06, 0.4}, 1)) {
+    model.nodes[node].velocity = {0, -20, 0};
+  }
+  model.contact.cords = true;
+  CableSystem system(model);
+  const double kinetic = system.audit().kinetic;
+  advance(system, 0.02, 0.5 * system.stable_step().step);
+  const EnergyAudit audit = system.audit();
+  ASSERT_GT(audit.dissipated, 0.01 * kinetic);
+  expect_below("energy error / kinetic energy at the start, blow on a rod's clamped end",
+               std::abs(audit.error) / kinetic, 1e-4, "work of contact at the mean velocity of each step");
+}
+
 TEST_F(VerificationCordContact, SwitchedOffTheyPass) {
   CrossingCords cords(5);
   cords.model.contact.cords = false;
