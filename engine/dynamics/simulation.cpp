@@ -109,6 +109,7 @@ struct Simulation::Impl {
   double wall = 0, cpu = 0;
   std::vector<double> sound_state;  // a copy at step sound_step; empty: none yet
   std::int64_t sound_step = 0;
+  std::int64_t checked_step = 0;             // at which the last check passed
   std::vector<std::int64_t> snapshot_steps;  // at which snapshots have been taken since the copy
   std::int64_t failed_step = 0;
   double failed_step_size = 0;  // s
@@ -193,17 +194,25 @@ struct Simulation::Impl {
     return caution.part() * step;
   }
 
-  // Divides the interval that begins now into equal steps.
+  double interval_length() const { return 1 / scenario.output.frame_rate / intervals_of_frame(); }
+  double interval_end() const { return static_cast<double>(interval + 1) * interval_length(); }
+
   void begin_interval() {
-    const double frame = 1 / scenario.output.frame_rate;
-    const double length = frame / intervals_of_frame();
+    const double begin = interval_end();
     ++interval;
-    const double end = static_cast<double>(interval + 1) * length;
+    divide(begin, interval_length());
+  }
+
+  void divide_rest() { divide(system.time(), interval_end() - system.time()); }
+
+  // Divides what is left of the interval, which begins then and is that long, into equal steps.
+  void divide(double begin, double length) {
+    const double end = interval_end();
     const double allowed = scenario.solver.time_step > 0 ? scenario.solver.time_step : chosen_step(end);
     const double steps = std::ceil(length / allowed);  // which may be no number where the state is lost
     interval_steps =
         static_cast<std::int64_t>(steps < kMostStepsOfInterval ? std::max(1.0, steps) : kMostStepsOfInterval);
-    time_step = (end - static_cast<double>(interval) * length) / static_cast<double>(interval_steps);
+    time_step = (end - begin) / static_cast<double>(interval_steps);
     step_choice.note(time_step);
     steps_in_interval = 0;
   }
@@ -226,7 +235,11 @@ struct Simulation::Impl {
     system.control(pocket.spacecraft, drive.at(system.time(), system.body(pocket.spacecraft).velocity.y()));
     system.step(time_step);
     step_choice.caution().note_penetration(system.penetration());
-    if (++steps_in_interval == interval_steps) end_interval();
+    if (++steps_in_interval == interval_steps) {
+      end_interval();
+    } else if (scenario.solver.time_step == 0 && step_choice.is_outgrown(time_step)) {
+      divide_rest();
+    }
   }
 
   // Says why the state is not sound, if so: then it is the last sound one again.
@@ -234,7 +247,10 @@ struct Simulation::Impl {
     auto fault = system.fault();
     if (!fault) fault = collapse();
     if (!fault && !defect.empty()) fault = defect;
-    if (!fault) return std::nullopt;
+    if (!fault) {
+      checked_step = system.steps();
+      return std::nullopt;
+    }
     return diverged(find_first_fault(*fault));
   }
 
@@ -248,7 +264,7 @@ struct Simulation::Impl {
 
   void keep_sound_state() {
     sound_state = state();
-    sound_step = system.steps();
+    sound_step = checked_step = system.steps();
     snapshot_steps.clear();
   }
 
@@ -264,11 +280,11 @@ struct Simulation::Impl {
            ++next_snapshot) {
         snapshot();
       }
-      // The check before this stretch has passed: speeds may have been higher for a moment, but came back.
-      const bool in_last_stretch = system.steps() + kFaultInterval >= end;
-      if (in_last_stretch) sound_state = state();
+      // The last check has passed: before it, speeds may have been higher for a moment, but came back.
+      const bool is_suspect = system.steps() >= checked_step;
+      if (is_suspect) sound_state = state();
       step();
-      if (in_last_stretch) fault = system.fault();
+      if (is_suspect) fault = system.fault();
     }
     failed_step = system.steps();
     failed_step_size = time_step;

@@ -12,6 +12,9 @@ constexpr double kChange = 0.85;
 // Of the bound of straight cables, above which bends are not worth mentioning.
 constexpr double kNotable = 0.98;
 
+// Most that the part left may vary between two choices, that what happens between them needs no watching. Captures stay
+// below 1.01 unless cords snap tight.
+constexpr double kSteady = 1.03;
 // Most that a choice gives up of the bound for what bends and strains may grow.
 constexpr double kLargestLoss = 0.5;
 
@@ -23,10 +26,10 @@ void visit_enum(const std::function<void(double&)>& visit, Enum& value, Enum las
   if (number >= 0 && number <= static_cast<double>(last)) value = static_cast<Enum>(number);
 }
 
-void visit_thread(const std::function<void(double&)>& visit, std::int32_t& thread) {
-  double number = thread;
+void visit_integer(const std::function<void(double&)>& visit, int& integer, int least) {
+  double number = integer;
   visit(number);
-  if (number >= 0 && number <= std::numeric_limits<std::int32_t>::max()) thread = static_cast<std::int32_t>(number);
+  if (number >= least && number <= std::numeric_limits<int>::max()) integer = static_cast<int>(number);
 }
 
 }  // namespace
@@ -39,19 +42,15 @@ StepChoice::StepChoice(CableSystem& system)
       bound_length_(model_.ropes.front().motion(0).length) {}
 
 // For the length rounded down to a power of 1.01: seldom anything to compute, and the same whatever came before.
-double StepChoice::step_of_rope_element(double length) {
+void StepChoice::find_rope_step(double length) {
   const VariableRope& rope = model_.ropes.front();
   constexpr double kRatio = 1.01;
   const int length_class =
       static_cast<int>(std::floor(std::log(length / static_cast<double>(rope.elements.size())) / std::log(kRatio)));
-  if (length_class != length_class_) {
-    length_class_ = length_class;
-    const bool paired =
-        std::ranges::all_of(rope.elements, [&](std::int32_t i) { return model_.elements[i].mate >= 0; });
-    rope_step_ = stable_step_of_lumped_element(model_.material_of(rope.elements.front()).section,
-                                               std::pow(kRatio, length_class), paired);
-  }
-  return rope_step_;
+  if (length_class == std::exchange(length_class_, length_class)) return;
+  const bool paired = std::ranges::all_of(rope.elements, [&](std::int32_t i) { return model_.elements[i].mate >= 0; });
+  rope_step_ = stable_step_of_lumped_element(model_.material_of(rope.elements.front()).section,
+                                             std::pow(kRatio, length_class), paired);
 }
 
 double StepChoice::stable_step(const std::function<RopeMotion(double)>& winding, double end) {
@@ -60,13 +59,34 @@ double StepChoice::stable_step(const std::function<RopeMotion(double)>& winding,
     bound_ = system_.stable_step();
     bound_length_ = length;
   }
-  const double of_rope = step_of_rope_element(std::min(length, winding(end).length));
-  const bool rope_limits = of_rope < bound_.step;
+  find_rope_step(std::min(length, winding(end).length));
+  const double now = part_left(), least = std::min(now, least_left_), most = std::max(now, most_left_);
+  watches_ = follows_shape_ && most > kSteady * least;
+  const double left = watches_ ? least : now;
+  least_left_ = most_left_ = now;
+  cause_ = rope_step_ < bound_.step ? Cause::ropes : left < kNotable ? Cause::bends : Cause::cables;
+  return caution_.part() * (expected(left) * left * present_bound().step);
+}
+
+bool StepChoice::is_outgrown(double step) {
+  if (!watches_) return false;
+  const double left = part_left();
+  least_left_ = std::min(least_left_, left);
+  most_left_ = std::max(most_left_, left);
+  return step > left * present_bound().step;
+}
+
+// Of straight cables and the closing ropes as short as they become until the next choice.
+StableStep StepChoice::present_bound() const {
+  if (rope_step_ >= bound_.step) return bound_;
   // What limits the rope's element may be damping alone: as an undamped mode of the same step bends can add to it.
-  const StableStep rope_alone{.step = of_rope, .stiffness = 4 / (of_rope * of_rope)};
-  const double bent = system_.stable_step_as_bent(rope_limits ? rope_alone : bound_);
-  cause_ = rope_limits ? Cause::ropes : bent < kNotable * bound_.step ? Cause::bends : Cause::cables;
-  return caution_.part() * (expected(bent / (rope_limits ? of_rope : bound_.step)) * bent);
+  return {.step = rope_step_, .stiffness = 4 / (rope_step_ * rope_step_)};
+}
+
+// The part of that bound that bends and strains leave now.
+double StepChoice::part_left() {
+  const StableStep bound = present_bound();
+  return system_.stable_step_as_bent(bound) / bound.step;
 }
 
 // The part of the bound that bends and strains leave until the next choice: they may go on growing as they have since
@@ -98,13 +118,19 @@ std::string StepChoice::limit() const {
 }
 
 void StepChoice::visit_state(const std::function<void(double&)>& visit) {
-  for (double* value : {&bound_length_, &bound_.step, &bound_.stiffness, &bound_.damping, &left_, &smallest_step_})
+  for (double* value : {&bound_length_, &bound_.step, &bound_.stiffness, &bound_.damping, &rope_step_, &left_,
+                        &least_left_, &most_left_, &smallest_step_}) {
     visit(*value);
+  }
+  visit_integer(visit, length_class_, std::numeric_limits<int>::min());
+  double watches = watches_ ? 1 : 0;
+  visit(watches);
+  watches_ = watches != 0;
   visit_enum(visit, bound_.limit, StepLimit::kink);
-  visit_thread(visit, bound_.thread);
+  visit_integer(visit, bound_.thread, 0);
   visit_enum(visit, smallest_.cause, Cause::ropes);
   visit_enum(visit, smallest_.mode, StepLimit::kink);
-  visit_thread(visit, smallest_.thread);
+  visit_integer(visit, smallest_.thread, 0);
   visit_enum(visit, smallest_.shortening, Shortening::energy);
   caution_.visit_state(visit);
 }

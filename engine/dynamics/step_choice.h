@@ -3,8 +3,8 @@
 //
 // Short closing ropes hold the rods' tips more stiffly, so the bound of the whole (stable_step.h) is found anew each
 // time they are 15 % shorter; the bound of one of their elements by itself follows their length at once; what bends and
-// tensions add is asked for at each choice. Contacts are no stiffer than the step resolves, and limit it only when they
-// are pressed deep (step_caution.h).
+// tensions add is asked for at each choice, and at each step while it varies much. Contacts are no stiffer than the
+// step resolves, and limit it only when they are pressed deep (step_caution.h).
 //
 // Thread contract: one thread at a time.
 
@@ -27,6 +27,9 @@ class StepChoice {
   // Largest step (s, without a safety factor) from the system's present time until `end` (s) that is stable, with the
   // ropes wound by this law, and as cautious as need be.
   double stable_step(const std::function<RopeMotion(double)>& winding, double end);
+  // After a step: whether the system's present shape no longer allows such a step (s). Looks only while bends and
+  // strains vary.
+  bool is_outgrown(double step);
   StepCaution& caution() { return caution_; }
   const StepCaution& caution() const { return caution_; }
 
@@ -54,7 +57,9 @@ class StepChoice {
     Shortening shortening = Shortening::none;
   };
 
-  double step_of_rope_element(double length);
+  void find_rope_step(double length);
+  StableStep present_bound() const;
+  double part_left();
   double expected(double left);
   Shortening shortening() const;
 
@@ -65,7 +70,9 @@ class StepChoice {
   double bound_length_;                                 // m
   int length_class_ = std::numeric_limits<int>::max();  // for which rope_step_ holds
   double rope_step_ = 0;                                // s
-  double left_ = 1;                                     // part of the bound that bends left at the last choice
+  double left_ = 1;                                     // part of the bound that the last choice took as left by bends
+  double least_left_ = 1, most_left_ = 1;               // that seen at the last choice and since
+  bool watches_ = false;                                // each step, until the next choice
   Cause cause_ = Cause::cables;                         // of the last choice
   StepCaution caution_;
   double smallest_step_ = std::numeric_limits<double>::infinity();
