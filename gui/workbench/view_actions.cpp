@@ -70,8 +70,7 @@ void ViewActions::add_cameras(QMenu& menu, QToolBar& bar) {
     const CameraPreset preset = kCameraPresets[static_cast<std::size_t>(i)];
     auto* action = add(menu, camera_name(preset), QKeySequence(Qt::Key_1 + i), camera_help(preset));
     choice->addItem(camera_name(preset));
-    connect(action, &QAction::triggered, this, [this, choice, i, preset] {
-      choice->setCurrentIndex(i);
+    connect(action, &QAction::triggered, this, [this, preset] {
       follow_->setChecked(preset == CameraPreset::follow);
       viewport_.set_preset(preset);
     });
@@ -79,6 +78,11 @@ void ViewActions::add_cameras(QMenu& menu, QToolBar& bar) {
       if (index == i) action->trigger();
     });
   }
+  choice->setPlaceholderText(tr("Free"));
+  connect(&viewport_, &Viewport::view_changed, choice, [this, choice] {
+    const auto preset = std::ranges::find(kCameraPresets, viewport_.preset());
+    choice->setCurrentIndex(preset == kCameraPresets.end() ? -1 : static_cast<int>(preset - kCameraPresets.begin()));
+  });
   auto* fit = add(menu, tr("Fit"), Qt::Key_F, tr("Show everything, from where one looks now"));
   fit->setIcon(action_icon(ActionIcon::fit));
   connect(fit, &QAction::triggered, &viewport_, &Viewport::fit);

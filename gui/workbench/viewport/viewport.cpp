@@ -19,6 +19,15 @@ constexpr double kKeyZoom = 1.15;
 constexpr double kClickRadius = 4;  // pixels that the mouse may move in a click
 constexpr int kRest = 150;          // ms without a change until the picture is smoothed
 
+// From the same direction, the same side up.
+bool look_alike(const CameraView& a, const CameraView& b) {
+  constexpr double kSame = 1e-9;  // 1 - cosine
+  const auto direction = [](const CameraView& view) -> Eigen::Vector3d {
+    return (view.focal_point - view.position).normalized();
+  };
+  return direction(a).dot(direction(b)) > 1 - kSame && a.view_up.normalized().dot(b.view_up.normalized()) > 1 - kSame;
+}
+
 std::shared_ptr<const Snapshot> with_body_at(const Snapshot& snapshot, std::size_t body, const Eigen::Vector3d& place) {
   auto moved = std::make_shared<Snapshot>(snapshot);
   moved->bodies[body].position = place;
@@ -110,7 +119,8 @@ void Viewport::set_preset(CameraPreset preset) {
   if (preset == CameraPreset::follow) set_follow_target(true);
   if (!state_.complete()) return;
   framed_ = true;
-  set_view(frame_view(preset, visible_points(*state_.structure, *state_.snapshot), aspect()));
+  looks_from_preset_ = true;
+  aim(OrbitCamera(frame_view(preset, visible_points(*state_.structure, *state_.snapshot), aspect())));
 }
 
 void Viewport::fit() {
@@ -139,6 +149,11 @@ void Viewport::fit() {
 void Viewport::set_view(const CameraView& view) { set_camera(OrbitCamera(view)); }
 
 void Viewport::set_camera(const OrbitCamera& camera) {
+  looks_from_preset_ = looks_from_preset_ && look_alike(state_.camera, camera.view());
+  aim(camera);
+}
+
+void Viewport::aim(const OrbitCamera& camera) {
   framed_ = true;
   aimed_aspect_ = aspect();
   state_.camera = camera.view();

@@ -45,6 +45,8 @@ class Viewport : public QWidget {
 
   // Frames what is visible now from a preset's direction, or keeping the present one.
   void set_preset(CameraPreset preset);
+  // The preset from whose direction one looks; none when the camera has been turned since.
+  std::optional<CameraPreset> preset() const { return looks_from_preset_ ? std::optional(preset_) : std::nullopt; }
   void fit();
   void set_view(const CameraView& view);
   const CameraView& view() const { return state_.camera; }
@@ -96,6 +98,7 @@ class Viewport : public QWidget {
   void picture_came(const ViewState& shown, double seconds);
   void update_overlay(const ViewState& shown);
   void set_camera(const OrbitCamera& camera);
+  void aim(const OrbitCamera& camera);
   void drag_to(const QPointF& position);
   bool grab_body(const QPointF& position);
   void drag_body_to(const QPointF& position, bool along_one_axis);
@@ -114,6 +117,7 @@ class Viewport : public QWidget {
   ViewState shown_;
   QTimer rest_;  // runs out when nothing has changed for a moment
   CameraPreset preset_ = CameraPreset::iso;
+  bool looks_from_preset_ = true;
   bool framed_ = false;      // whether the camera has been aimed at a pocket
   double aimed_aspect_ = 1;  // of the picture when the camera was set last
   bool follow_ = false;

@@ -1,4 +1,5 @@
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDir>
 #include <QFile>
 #include <QLabel>
@@ -195,6 +196,25 @@ TEST_F(WindowTest, SavedCamerasComeBackInTheNextSession) {
   QTest::keyClick(&window_->viewport(), Qt::Key_6);
   EXPECT_LT((window_->viewport().view().position - view.position).norm(), 1e-12);
   EXPECT_EQ(window_->viewport().view().half_height, view.half_height);
+}
+
+TEST_F(WindowTest, CameraBoxNamesWhereOneLooksFrom) {
+  ASSERT_TRUE(wait_for_picture());
+  const auto boxes = window_->findChildren<QComboBox*>();
+  const auto box = std::ranges::find(boxes, QString("Camera"), &QComboBox::accessibleName);
+  ASSERT_NE(box, boxes.end());
+  auto& viewport = window_->viewport();
+  EXPECT_EQ((*box)->currentIndex(), 0);
+  QTest::keyClick(&viewport, Qt::Key_2);
+  EXPECT_EQ((*box)->currentIndex(), 1);
+  QTest::keyClick(&viewport, Qt::Key_Plus);
+  QTest::keyClick(&viewport, Qt::Key_F);
+  EXPECT_EQ((*box)->currentIndex(), 1);
+  QTest::keyClick(&viewport, Qt::Key_Left);
+  EXPECT_EQ((*box)->currentIndex(), -1);
+  screenshot("free_camera");
+  QTest::keyClick(&viewport, Qt::Key_2);
+  EXPECT_EQ((*box)->currentIndex(), 1);
 }
 
 TEST_F(WindowTest, ClosesWhileRunning) {
