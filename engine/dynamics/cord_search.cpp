@@ -22,7 +22,7 @@ constexpr double kNearMargin = 0.02;
 // The same in fine nets, where everything would be near: part of the broad phase's margin.
 constexpr double kNearPart = 0.25;
 // Margin of the broad phase, of the elements' mean length: about as many pairs for any fineness of the mesh.
-constexpr double kBroadMargin = 0.6;
+constexpr double kBroadMargin = 0.45;
 // The pocket's symmetry: index = local * kSectors + sector, as in SectorSum.
 constexpr std::int32_t kSectors = 8;
 

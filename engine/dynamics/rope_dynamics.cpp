@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/ancf/instruction_set.h"
 #include "engine/ancf/mass.h"
 #include "engine/ancf/mean_strain_element.h"
 #include "engine/ancf/variable_length.h"
@@ -14,6 +15,25 @@ ElementCoordinates gather(const SlotVectors& vectors, const std::array<std::int3
   ElementCoordinates columns;
   for (int corner = 0; corner < 4; ++corner) columns.col(corner) = vectors.get(slots[corner]);
   return columns;
+}
+
+struct Kernels {
+  rope_kernel::ForceKernel forces;
+  rope_kernel::EnergyKernel energy_change;
+};
+
+const Kernels& kernels() {
+  static const Kernels chosen = {
+      choose_variant(rope_kernel::baseline::forces, rope_kernel::avx2::forces, rope_kernel::avx512::forces),
+      choose_variant(rope_kernel::baseline::energy_change, rope_kernel::avx2::energy_change,
+                     rope_kernel::avx512::energy_change)};
+  return chosen;
+}
+
+void set_lane(SpanRows& rows, int lane, const MaterialSpan& span) {
+  rows.length[lane] = span.length;
+  rows.start_rate[lane] = span.start_rate;
+  rows.end_rate[lane] = span.end_rate;
 }
 
 }  // namespace
@@ -46,8 +66,29 @@ RopeDynamics::RopeDynamics(const Model& model, const SlotLayout& layout) {
     longest_ = std::max(longest_, rope.slots.size());
     ropes_.push_back(std::move(rope));
   }
+  collect_blocks();
   std::ranges::sort(massive_slots_);
   massive_slots_.erase(std::unique(massive_slots_.begin(), massive_slots_.end()), massive_slots_.end());
+}
+
+void RopeDynamics::collect_blocks() {
+  for_each_element([&](const Rope& rope, std::size_t i) {
+    if (blocks_.empty() || blocks_.back().count == kBlockSize) blocks_.emplace_back();
+    RopeBlock& block = blocks_.back();
+    const int lane = block.count++;
+    block.mass_per_length[lane] = rope.section.mass_per_length;
+    for (int corner = 0; corner < 4; ++corner) block.slot[corner][lane] = rope.slots[i][corner];
+  });
+}
+
+void RopeDynamics::set_spans() {
+  std::size_t place = 0;
+  for_each_element([&](const Rope& rope, std::size_t i) {
+    RopeBlock& block = blocks_[place / kBlockSize];
+    const int lane = static_cast<int>(place++ % kBlockSize);
+    set_lane(block.before, lane, rope.span_at(rope.before, i));
+    set_lane(block.now, lane, rope.span_at(rope.now, i));
+  });
 }
 
 // First elements of all ropes, second ones, and so on: where ropes meet, what they add comes in the same order in every
@@ -82,6 +123,7 @@ bool RopeDynamics::set_time(double t) {
   }
   if (!started_) finish_step();
   started_ = true;
+  if (moves()) set_spans();
   return changed;
 }
 
@@ -92,7 +134,7 @@ void RopeDynamics::finish_step() {
 void RopeDynamics::update(ElementBatch& batch, std::span<double> mass) {
   for (Rope& rope : ropes_) {
     for (std::size_t i = 0; i < rope.elements.size(); ++i) {
-      rope.spans[i] = rope_span(rope.now, rope.share_at_start, i, rope.elements.size());
+      rope.spans[i] = rope.span_at(rope.now, i);
       batch.set_length(rope.elements[i], rope.spans[i].length, rope.spans[i].length_rate());
     }
   }
@@ -105,36 +147,32 @@ void RopeDynamics::update(ElementBatch& batch, std::span<double> mass) {
 }
 
 void RopeDynamics::add_flow_forces(const SlotVectors& coordinates, const SlotVectors& velocities, double last_dt,
-                                   double kick, AppliedForces& applied) const {
-  for_each_element([&](const Rope& rope, std::size_t i) {
-    if (!rope.moves()) return;
-    const double mass = rope.section.mass_per_length;
-    const MaterialSpan &now = rope.spans[i], before = rope.span_before(i);
-    const ElementCoordinates q = gather(coordinates, rope.slots[i]), velocity = gather(velocities, rope.slots[i]);
-    const NodalWeights lost = lumped_mass(mass, before.length) - lumped_mass(mass, now.length);
-    const ElementCoordinates impulse = velocity * lost.asDiagonal() +
-                                       flow_momentum(mass, before, q - last_dt * velocity) -
-                                       flow_momentum(mass, now, q);
-    const ElementCoordinates force = impulse / kick + flow_force(mass, now, q, velocity);
-    for (int corner = 0; corner < 4; ++corner) applied.add(rope.slots[i][corner], force.col(corner));
-  });
+                                   double kick, AppliedForces& applied) {
+  if (!moves()) return;
+  for (RopeBlock& block : blocks_) {
+    kernels().forces(coordinates.rows(), velocities.rows(), last_dt, kick, block);
+    for (int lane = 0; lane < block.count; ++lane) {
+      for (int corner = 0; corner < 4; ++corner) {
+        applied.add(block.slot[corner][lane], lane_of(block.force[corner], lane));
+      }
+    }
+  }
   for_each_end([&](const Rope& rope, std::int32_t slot, double share) {
     const double lost = share * (rope.wound_mass(rope.before) - rope.wound_mass(rope.now));
-    if (rope.moves()) applied.add(slot, lost / kick * velocities.get(slot));
+    applied.add(slot, lost / kick * velocities.get(slot));
   });
 }
 
-double RopeDynamics::energy_change(const SlotVectors& coordinates, const SlotVectors& velocities) const {
+double RopeDynamics::energy_change(const SlotVectors& coordinates, const SlotVectors& velocities) {
+  if (!moves()) return 0;
   double change = 0;
-  for_each_element([&](const Rope& rope, std::size_t i) {
-    if (!rope.moves()) return;
-    const double mass = rope.section.mass_per_length;
-    const ElementCoordinates q = gather(coordinates, rope.slots[i]), velocity = gather(velocities, rope.slots[i]);
-    change += kinetic_energy(mass, rope.spans[i], q, velocity) - kinetic_energy(mass, rope.span_before(i), q, velocity);
-  });
+  for (RopeBlock& block : blocks_) {
+    kernels().energy_change(coordinates.rows(), velocities.rows(), block);
+    for (int lane = 0; lane < block.count; ++lane) change += block.energy_change[lane];
+  }
   for_each_end([&](const Rope& rope, std::int32_t slot, double share) {
     const double gained = share * (rope.wound_mass(rope.now) - rope.wound_mass(rope.before));
-    if (rope.moves()) change += 0.5 * gained * squared_norm(velocities.get(slot));
+    change += 0.5 * gained * squared_norm(velocities.get(slot));
   });
   return change;
 }

@@ -8,6 +8,7 @@
 //   M_n v_(n+1/2) + p_n - M_(n-1) v_(n-1/2) - p_(n-1) = kick (Q + dT/dq)
 // so that the sum over all nodes is constant to round-off however fast the ropes are wound.
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <span>
@@ -15,7 +16,9 @@
 
 #include "engine/ancf/element_batch.h"
 #include "engine/ancf/variable_length.h"
+#include "engine/dynamics/aligned_vector.h"
 #include "engine/dynamics/applied_forces.h"
+#include "engine/dynamics/rope_kernel.h"
 #include "engine/dynamics/slot_state.h"
 #include "engine/model/model.h"
 
@@ -46,10 +49,10 @@ class RopeDynamics {
   // Adds the forces of the material's flow and of masses that change, for a kick of `kick` (s); the step before was
   // `last_dt` (s) long.
   void add_flow_forces(const SlotVectors& coordinates, const SlotVectors& velocities, double last_dt, double kick,
-                       AppliedForces& applied) const;
+                       AppliedForces& applied);
   // What the ropes' kinetic energy changes by from the previous step's motion to the present one at fixed coordinates
   // and velocities. J
-  double energy_change(const SlotVectors& coordinates, const SlotVectors& velocities) const;
+  double energy_change(const SlotVectors& coordinates, const SlotVectors& velocities);
   // The present motion is from now on the previous step's.
   void finish_step();
 
@@ -82,8 +85,8 @@ class RopeDynamics {
 
     // The winding of this rope makes a difference in this step.
     bool moves() const { return now.rate != 0 || before.rate != 0 || now.length != before.length; }
-    MaterialSpan span_before(std::size_t index) const {
-      return rope_span(before, share_at_start, index, elements.size());
+    MaterialSpan span_at(const RopeMotion& motion_then, std::size_t index) const {
+      return rope_span(motion_then, share_at_start, index, elements.size());
     }
     double wound_mass(const RopeMotion& motion_then) const {
       return section.mass_per_length * (initial_length - motion_then.length);
@@ -94,10 +97,14 @@ class RopeDynamics {
   void for_each_element(const Function& function) const;
   template <typename Function>
   void for_each_end(const Function& function) const;
+  bool moves() const { return std::ranges::any_of(ropes_, &Rope::moves); }
+  void collect_blocks();
+  void set_spans();  // into the blocks
 
   std::vector<Rope> ropes_;
-  bool started_ = false;     // a time has been set
-  std::size_t longest_ = 0;  // elements of the longest rope
+  AlignedVector<RopeBlock> blocks_;  // their elements in the order of for_each_element
+  bool started_ = false;             // a time has been set
+  std::size_t longest_ = 0;          // elements of the longest rope
   std::vector<std::int32_t> massive_slots_;
   std::vector<std::pair<std::int32_t, std::int32_t>> place_;  // by element: (rope, index), or (-1, -1)
 };

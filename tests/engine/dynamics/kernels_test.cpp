@@ -1,15 +1,18 @@
-// The kernels of contact and hinges against their readable forms, and the same bits in every instruction set.
-
-#include "engine/dynamics/contact_kernel.h"
+// The kernels of contact, hinges and ropes against their readable forms, and the same bits in every instruction set.
 
 #include <algorithm>
+#include <array>
 #include <random>
 
+#include "engine/ancf/mass.h"
+#include "engine/ancf/variable_length.h"
 #include "engine/bodies/symmetric_algebra.h"
 #include "engine/contact/force_law.h"
+#include "engine/dynamics/contact_kernel.h"
 #include "engine/dynamics/contacted_slots.h"
 #include "engine/dynamics/hinge_forces.h"
 #include "engine/dynamics/hinge_kernel.h"
+#include "engine/dynamics/rope_kernel.h"
 #include "engine/dynamics/slot_state.h"
 #include "tests/engine/dynamics/instruction_sets.h"
 #include "tests/engine/verification_table.h"
@@ -236,6 +239,71 @@ TEST_F(VerificationKernels, Hinges) {
       });
   EXPECT_GT(limited, 0);
   expect_below("hinge kernel against its readable form, relative", difference, 1e-12, "round-off");
+}
+
+TEST_F(VerificationKernels, Ropes) {
+  SlotVectors coordinates(kSlots), velocities(kSlots);
+  for (int slot = 0; slot < kSlots; ++slot) {
+    coordinates.set(slot, vector(3));
+    velocities.set(slot, vector(2));
+  }
+  RopeBlock block{};
+  block.count = kBlockSize;
+  std::array<MaterialSpan, kBlockSize> before, now;
+  for (int lane = 0; lane < kBlockSize; ++lane) {
+    before[lane] = {.length = uniform(0.5, 2), .start_rate = uniform(-1, 1), .end_rate = uniform(-1, 1)};
+    now[lane] = {.length = before[lane].length + uniform(-0.1, 0.1), .start_rate = uniform(-1, 1), .end_rate = 0.3};
+    for (const auto& [rows, span] : {std::pair{&block.before, before[lane]}, {&block.now, now[lane]}}) {
+      rows->length[lane] = span.length;
+      rows->start_rate[lane] = span.start_rate;
+      rows->end_rate[lane] = span.end_rate;
+    }
+    block.mass_per_length[lane] = uniform(0.01, 1);
+    for (int corner = 0; corner < 4; ++corner) block.slot[corner][lane] = (11 * lane + 5 * corner) % kSlots;
+  }
+  const auto columns = [&](const SlotVectors& vectors, int lane) {
+    ElementCoordinates q;
+    for (int corner = 0; corner < 4; ++corner) q.col(corner) = vectors.get(block.slot[corner][lane]);
+    return q;
+  };
+  const double last_dt = 2e-3, kick = 1.5e-3;
+  RopeBlock first{};
+  double difference = 0;
+  for_each_instruction_set<rope_kernel::ForceKernel>(
+      rope_kernel::baseline::forces, rope_kernel::avx2::forces, rope_kernel::avx512::forces,
+      [&](const std::string& name, rope_kernel::ForceKernel kernel) {
+        RopeBlock result = block;
+        kernel(coordinates.rows(), velocities.rows(), last_dt, kick, result);
+        if (name == "baseline") first = result;
+        for (int lane = 0; lane < kBlockSize; ++lane) {
+          const double m = block.mass_per_length[lane];
+          const ElementCoordinates q = columns(coordinates, lane), v = columns(velocities, lane);
+          const NodalWeights lost = lumped_mass(m, before[lane].length) - lumped_mass(m, now[lane].length);
+          const ElementCoordinates impulse =
+              v * lost.asDiagonal() + flow_momentum(m, before[lane], q - last_dt * v) - flow_momentum(m, now[lane], q);
+          const ElementCoordinates force = impulse / kick + flow_force(m, now[lane], q, v);
+          for (int corner = 0; corner < 4; ++corner) {
+            const Vector3d found = lane_of(result.force[corner], lane);
+            difference = std::max(difference, (found - force.col(corner)).norm() / force.norm());
+            EXPECT_EQ(found, lane_of(first.force[corner], lane)) << name;
+          }
+        }
+      });
+  expect_below("rope kernel against its readable form, relative", difference, 1e-13, "round-off");
+  for_each_instruction_set<rope_kernel::EnergyKernel>(
+      rope_kernel::baseline::energy_change, rope_kernel::avx2::energy_change, rope_kernel::avx512::energy_change,
+      [&](const std::string& name, rope_kernel::EnergyKernel kernel) {
+        RopeBlock result = block;
+        kernel(coordinates.rows(), velocities.rows(), result);
+        if (name == "baseline") first = result;
+        for (int lane = 0; lane < kBlockSize; ++lane) {
+          const double m = block.mass_per_length[lane];
+          const ElementCoordinates q = columns(coordinates, lane), v = columns(velocities, lane);
+          const double energy = kinetic_energy(m, now[lane], q, v);
+          EXPECT_NEAR(result.energy_change[lane], energy - kinetic_energy(m, before[lane], q, v), 1e-13 * energy);
+          EXPECT_EQ(result.energy_change[lane], first.energy_change[lane]) << name;
+        }
+      });
 }
 
 }  // namespace
