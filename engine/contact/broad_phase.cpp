@@ -113,33 +113,27 @@ std::vector<std::pair<int, int>> sorted(const std::vector<std::pair<int, int>>& 
 // them.
 class NearPairs {
  public:
-  NearPairs(std::span<const AlignedBox3d> boxes, double margin) {
-    AlignedBox3d all;
+  NearPairs(std::span<const AlignedBox3d> boxes, double margin) : boxes_(boxes), margin_(margin) {
     Vector3d sizes = Vector3d::Zero(), largest = sizes;
     for (const AlignedBox3d& box : boxes) {
-      all.extend(box);
+      all_.extend(box);
       sizes += box.sizes();
       largest = largest.cwiseMax(box.sizes());
     }
     if (boxes.empty()) return;
-    low_ = all.min();
     const double mean = sizes.mean() / static_cast<double>(boxes.size());
     // Columns fit the many boxes; a few that reach far, as in a state that flies apart, must not stand in too many.
     cell_ = std::max({2 * mean + margin, std::max(largest.y(), largest.z()) / kMostColumnsOfABox,
-                      std::max(all.sizes().y(), all.sizes().z()) / kMostColumns});
-    layers_ = column(all.max().z() + margin, 2) + 1;
-    for (std::size_t i = 0; i < boxes.size(); ++i) add({boxes[i].min(), boxes[i].max().array() + margin}, i);
-    std::ranges::sort(entries_, [](const Entry& a, const Entry& b) {
-      return a.column != b.column ? a.column < b.column : a.low.x() < b.low.x();
-    });
+                      std::max(all_.sizes().y(), all_.sizes().z()) / kMostColumns});
+    layers_ = cell(all_.max().z() + margin, 2) + 1;
+    for (std::size_t i = 0; i < boxes.size(); ++i) add(static_cast<int>(i));
+    std::ranges::sort(entries_, {}, &Entry::place);
     for (auto a = entries_.begin(); a != entries_.end(); ++a) {
-      for (auto b = a + 1; b != entries_.end() && b->column == a->column && b->low.x() <= a->high.x(); ++b) {
-        if (b->low.y() > a->high.y() || a->low.y() > b->high.y() || b->low.z() > a->high.z() ||
-            a->low.z() > b->high.z())
-          continue;
-        const Vector3d corner = a->low.cwiseMax(b->low);
-        if (column(corner.y(), 1) * layers_ + column(corner.z(), 2) != a->column) continue;
-        pairs_.emplace_back(std::minmax(a->index, b->index));
+      const std::uint64_t column = a->place >> kBitsAlong, end = place(column, box(a->index).max().x() + margin);
+      for (auto b = a + 1; b != entries_.end() && b->place <= end; ++b) {
+        if (are_near(box(a->index), box(b->index)) && column == meeting_column(box(a->index), box(b->index))) {
+          pairs_.emplace_back(std::minmax(a->index, b->index));
+        }
       }
     }
   }
@@ -148,25 +142,46 @@ class NearPairs {
 
  private:
   static constexpr double kMostColumns = 1e6, kMostColumnsOfABox = 16;  // along an axis
+  static constexpr double kLeastSize = std::numeric_limits<double>::min();
+  static constexpr int kBitsAlong = 24;  // of a place; the others hold its column
+  // Where the lower end of a box is: column, then how far along x. Integers are quick to sort.
   struct Entry {
-    std::int64_t column;
-    Vector3d low, high;
+    std::uint64_t place;
     int index;
   };
 
-  std::int64_t column(double place, int axis) const { return static_cast<std::int64_t>((place - low_[axis]) / cell_); }
+  const AlignedBox3d& box(int index) const { return boxes_[static_cast<std::size_t>(index)]; }
+  std::uint64_t cell(double coordinate, int axis) const {
+    return static_cast<std::uint64_t>((coordinate - all_.min()[axis]) / cell_);
+  }
+  std::uint64_t column(double y, double z) const { return cell(y, 1) * layers_ + cell(z, 2); }
+  std::uint64_t place(std::uint64_t column, double x) const {
+    constexpr double kLast = (1 << kBitsAlong) - 1;
+    const double along = (x - all_.min().x()) / std::max(all_.sizes().x(), kLeastSize);
+    return column << kBitsAlong | static_cast<std::uint64_t>(kLast * std::clamp(along, 0.0, 1.0));
+  }
 
-  void add(const AlignedBox3d& box, std::size_t index) {
-    for (std::int64_t y = column(box.min().y(), 1); y <= column(box.max().y(), 1); ++y) {
-      for (std::int64_t z = column(box.min().z(), 2); z <= column(box.max().z(), 2); ++z) {
-        entries_.push_back({y * layers_ + z, box.min(), box.max(), static_cast<int>(index)});
+  void add(int index) {
+    const Vector3d low = box(index).min(), high = box(index).max().array() + margin_;
+    for (std::uint64_t y = cell(low.y(), 1); y <= cell(high.y(), 1); ++y) {
+      for (std::uint64_t z = cell(low.z(), 2); z <= cell(high.z(), 2); ++z) {
+        entries_.push_back({place(y * layers_ + z, low.x()), index});
       }
     }
   }
 
-  Vector3d low_;
+  bool are_near(const AlignedBox3d& a, const AlignedBox3d& b) const {
+    return (b.min().array() <= a.max().array() + margin_).all() && (a.min().array() <= b.max().array() + margin_).all();
+  }
+  std::uint64_t meeting_column(const AlignedBox3d& a, const AlignedBox3d& b) const {
+    return column(std::max(a.min().y(), b.min().y()), std::max(a.min().z(), b.min().z()));
+  }
+
+  std::span<const AlignedBox3d> boxes_;
+  double margin_;
+  AlignedBox3d all_;
   double cell_ = 1;
-  std::int64_t layers_ = 1;
+  std::uint64_t layers_ = 1;
   std::vector<Entry> entries_;
   std::vector<std::pair<int, int>> pairs_;
 };

@@ -1,7 +1,8 @@
-// Ties a target to libFuzzer and counts what it did.
+// Ties a target to libFuzzer and counts what it did. NETPOCKET_FUZZ_COUNT names a file that keeps the count, so that
+// what a run interrupted has done adds to that of the next.
 
-#include <cstdio>
 #include <cstdlib>
+#include <fstream>
 
 #include "tests/fuzz/fuzz_targets.h"
 #include "tests/hardening/hardening_table.h"
@@ -16,7 +17,10 @@ constexpr long kReportInterval = 10000;
 
 long executions = 0;
 
+const char* count_file() { return std::getenv("NETPOCKET_FUZZ_COUNT"); }
+
 void report(const char* outcome) {
+  if (count_file() != nullptr) std::ofstream(count_file()) << executions << '\n';
   netpocket::test::record_hardening({"libFuzzer target " NETPOCKET_TEXT(NETPOCKET_FUZZ_TARGET) ", Clang, ASan + UBSan",
                                      std::to_string(executions) + " executions", outcome});
 }
@@ -29,7 +33,10 @@ void report_end() { report("no crash, no time-out, no leak"); }
 // HDF5's own static tables are never freed.
 extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5"; }
 
-extern "C" int LLVMFuzzerInitialize(int*, char***) { return std::atexit(report_end); }
+extern "C" int LLVMFuzzerInitialize(int*, char***) {
+  if (count_file() != nullptr) std::ifstream(count_file()) >> executions;
+  return std::atexit(report_end);
+}
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   netpocket::NETPOCKET_FUZZ_TARGET({data, size});
