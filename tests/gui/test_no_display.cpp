@@ -12,6 +12,7 @@ constexpr int kRendering = 6;  // gui/commands/exit_code.h
 
 class NoDisplayTest : public testing::Test {
  protected:
+  NoDisplayTest() { unsetenv("QT_QPA_PLATFORM"); }
   ~NoDisplayTest() override { unsetenv("QT_QPA_PLATFORM"); }
 
   // One sentence, one line, no core dump.
