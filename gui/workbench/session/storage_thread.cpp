@@ -1,6 +1,7 @@
 #include "gui/workbench/session/storage_thread.h"
 
 #include <future>
+#include <memory>
 
 namespace netpocket {
 
@@ -15,10 +16,11 @@ void StorageThread::post(std::function<void()> job) {
   changed_.notify_one();
 }
 
+// The promise belongs to both threads: that which sets it is not done with it when the other goes on.
 void StorageThread::finish() {
-  std::promise<void> done;
-  post([&done] { done.set_value(); });
-  done.get_future().wait();
+  const auto done = std::make_shared<std::promise<void>>();
+  post([done] { done->set_value(); });
+  done->get_future().wait();
 }
 
 void StorageThread::run(const std::stop_token& stop) {
