@@ -138,8 +138,9 @@ BatchPower ElementBatch::forces(int first, int last, const SlotRows& coordinates
   return kernels().forces(view(), first, last, coordinates, velocities, forces);
 }
 
-void ElementBatch::states(const SlotRows& coordinates, const SlotRows& velocities, double* states) const {
-  kernels().states(view(), 0, block_count(), coordinates, velocities, states);
+void ElementBatch::states(int first, int last, const SlotRows& coordinates, const SlotRows& velocities,
+                          double* states) const {
+  kernels().states(view(), first, last, coordinates, velocities, states);
 }
 
 }  // namespace netpocket

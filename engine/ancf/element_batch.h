@@ -102,8 +102,9 @@ class ElementBatch {
   // `forces` holds kForceRows * kBlockSize doubles for each block of the batch, 64-byte aligned. A pair of blocks
   // counts as its first. Safe to call from several threads for different blocks.
   BatchPower forces(int first, int last, const SlotRows& coordinates, const SlotRows& velocities, double* forces) const;
-  // Strains and energies of all elements: kStateRows * kBlockSize doubles for each block, 64-byte aligned.
-  void states(const SlotRows& coordinates, const SlotRows& velocities, double* states) const;
+  // Strains and energies of blocks [first, last): `states` holds kStateRows * kBlockSize doubles for each block of the
+  // batch, 64-byte aligned. Likewise safe.
+  void states(int first, int last, const SlotRows& coordinates, const SlotRows& velocities, double* states) const;
 
  private:
   std::int32_t index_of(const SectionRows& rows);

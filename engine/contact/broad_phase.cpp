@@ -94,8 +94,12 @@ bool collect_candidates(fcl::CollisionObjectd* a, fcl::CollisionObjectd* b, void
   return false;  // go on
 }
 
+// Of elements, entries or pairs that a thread takes at once.
+constexpr int kRange = 1024;
+
 // Sorts pairs of indices below `count`: by counting the first ones, then each short run by its second ones.
-std::vector<std::pair<int, int>> sorted(const std::vector<std::pair<int, int>>& pairs, std::size_t count) {
+std::vector<std::pair<int, int>> sorted(const std::vector<std::pair<int, int>>& pairs, std::size_t count,
+                                        const DividedLoop& loop) {
   std::vector<std::size_t> end(count + 1, 0);  // of the pairs that begin with each index, from the second place on
   for (const auto& [first, second] : pairs) ++end[static_cast<std::size_t>(first) + 1];
   for (std::size_t i = 0; i < count; ++i) end[i + 1] += end[i];
@@ -103,7 +107,11 @@ std::vector<std::pair<int, int>> sorted(const std::vector<std::pair<int, int>>& 
   std::vector<std::pair<int, int>> result(pairs.size());
   for (const auto& pair : pairs) result[next[static_cast<std::size_t>(pair.first)]++] = pair;
   const auto at = [&](std::size_t place) { return result.begin() + static_cast<std::ptrdiff_t>(place); };
-  for (std::size_t i = 0; i < count; ++i) std::sort(at(end[i]), at(end[i + 1]));
+  loop(static_cast<int>(count), kRange, [&](int first, int last) {
+    for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i) {
+      std::sort(at(end[i]), at(end[i + 1]));
+    }
+  });
   return result;
 }
 
@@ -113,7 +121,8 @@ std::vector<std::pair<int, int>> sorted(const std::vector<std::pair<int, int>>& 
 // them.
 class NearPairs {
  public:
-  NearPairs(std::span<const AlignedBox3d> boxes, double margin) : boxes_(boxes), margin_(margin) {
+  NearPairs(std::span<const AlignedBox3d> boxes, double margin, const DividedLoop& loop)
+      : boxes_(boxes), margin_(margin) {
     Vector3d sizes = Vector3d::Zero(), largest = sizes;
     for (const AlignedBox3d& box : boxes) {
       all_.extend(box);
@@ -126,21 +135,20 @@ class NearPairs {
     cell_ = std::max({2 * mean + margin, std::max(largest.y(), largest.z()) / kMostColumnsOfABox,
                       std::max(all_.sizes().y(), all_.sizes().z()) / kMostColumns});
     layers_ = cell(all_.max().z() + margin, 2) + 1;
-    for (std::size_t i = 0; i < boxes.size(); ++i) add(static_cast<int>(i));
-    std::ranges::sort(entries_, {}, &Entry::place);
-    for (auto a = entries_.begin(); a != entries_.end(); ++a) {
-      const std::uint64_t column = a->place >> kBitsAlong, end = place(column, box(a->index).max().x() + margin);
-      for (auto b = a + 1; b != entries_.end() && b->place <= end; ++b) {
-        if (are_near(box(a->index), box(b->index)) && column == meeting_column(box(a->index), box(b->index))) {
-          pairs_.emplace_back(std::minmax(a->index, b->index));
-        }
-      }
-    }
+    entries_ = found_in_ranges<Entry>(loop, static_cast<int>(boxes.size()), kRange,
+                                      [&](int first, int last, std::vector<Entry>& entries) {
+                                        for (int i = first; i < last; ++i) add(i, entries);
+                                      });
+    sort_entries(loop);
+    pairs_ =
+        found_in_ranges<Pair>(loop, static_cast<int>(entries_.size()), kRange,
+                              [&](int first, int last, std::vector<Pair>& found) { find_pairs(first, last, found); });
   }
 
   const std::vector<std::pair<int, int>>& pairs() const { return pairs_; }
 
  private:
+  using Pair = std::pair<int, int>;
   static constexpr double kMostColumns = 1e6, kMostColumnsOfABox = 16;  // along an axis
   static constexpr double kLeastSize = std::numeric_limits<double>::min();
   static constexpr int kBitsAlong = 24;  // of a place; the others hold its column
@@ -161,11 +169,41 @@ class NearPairs {
     return column << kBitsAlong | static_cast<std::uint64_t>(kLast * std::clamp(along, 0.0, 1.0));
   }
 
-  void add(int index) {
+  void add(int index, std::vector<Entry>& entries) const {
     const Vector3d low = box(index).min(), high = box(index).max().array() + margin_;
     for (std::uint64_t y = cell(low.y(), 1); y <= cell(high.y(), 1); ++y) {
       for (std::uint64_t z = cell(low.z(), 2); z <= cell(high.z(), 2); ++z) {
-        entries_.push_back({place(y * layers_ + z, low.x()), index});
+        entries.push_back({place(y * layers_ + z, low.x()), index});
+      }
+    }
+  }
+
+  // Parts of the entries, then ever longer ones.
+  void sort_entries(const DividedLoop& loop) {
+    constexpr int kParts = 8;
+    const auto begin_of = [&](int part) {
+      return entries_.begin() + static_cast<std::ptrdiff_t>(entries_.size()) * part / kParts;
+    };
+    loop(kParts, 1, [&](int first, int last) {
+      for (int i = first; i < last; ++i) std::ranges::sort(begin_of(i), begin_of(i + 1), {}, &Entry::place);
+    });
+    for (int width = 1; width < kParts; width *= 2) {
+      loop(kParts / (2 * width), 1, [&](int first, int last) {
+        for (int i = 2 * width * first; i < 2 * width * last; i += 2 * width) {
+          std::ranges::inplace_merge(begin_of(i), begin_of(i + width), begin_of(i + 2 * width), {}, &Entry::place);
+        }
+      });
+    }
+  }
+
+  // With the first of a pair among these entries.
+  void find_pairs(int first, int last, std::vector<Pair>& found) const {
+    for (auto a = entries_.begin() + first; a != entries_.begin() + last; ++a) {
+      const std::uint64_t column = a->place >> kBitsAlong, end = place(column, box(a->index).max().x() + margin_);
+      for (auto b = a + 1; b != entries_.end() && b->place <= end; ++b) {
+        if (are_near(box(a->index), box(b->index)) && column == meeting_column(box(a->index), box(b->index))) {
+          found.emplace_back(std::minmax(a->index, b->index));
+        }
       }
     }
   }
@@ -268,8 +306,8 @@ void BroadPhase::rebuild(std::span<const AlignedBox3d> elements, std::span<const
   ++rebuild_count_;
 }
 
-std::vector<std::pair<int, int>> BroadPhase::pairs() const {
-  return sorted(NearPairs(built_elements_, margin_).pairs(), built_elements_.size());
+std::vector<std::pair<int, int>> BroadPhase::pairs(const DividedLoop& loop) const {
+  return sorted(NearPairs(built_elements_, margin_, loop).pairs(), built_elements_.size(), loop);
 }
 
 }  // namespace netpocket

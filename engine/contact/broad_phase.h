@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "engine/bodies/shape.h"
+#include "engine/contact/divided_loop.h"
 
 namespace netpocket {
 
@@ -57,8 +58,8 @@ class BroadPhase {
   std::span<const int> candidates(int body) const { return candidates_[static_cast<std::size_t>(body)]; }
 
   // Pairs of elements whose boxes are within the margin of each other along every axis, smaller index first, ascending.
-  // Neighbours in a net always are. Found anew by each call.
-  std::vector<std::pair<int, int>> pairs() const;
+  // Neighbours in a net always are. Found anew by each call, whose threads may share the loops.
+  std::vector<std::pair<int, int>> pairs(const DividedLoop& loop = undivided_loop) const;
 
   double margin() const { return margin_; }
   int rebuild_count() const { return rebuild_count_; }

@@ -240,11 +240,23 @@ double CableSystem::stable_step_as_bent(const StableStep& straight) {
   if (s.consistent_mass || straight.stiffness == 0) return straight.step;
   s.update_ropes();
   if (s.step_of_states != s.steps) s.compute_states();
+  struct Largest {
+    double of_bends = 0, strain = 0;
+  };
+  const auto largest = [&](int first, int last) {
+    Largest found;
+    for (std::size_t i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i) {
+      const double wave = s.wave_speed[s.model.elements[i].material] / s.element_length[i];
+      found.of_bends = std::max(found.of_bends, wave * wave * s.element_state(i, kBendStiffness));
+      found.strain = std::max(found.strain, s.element_state(i, kStrain));
+    }
+    return found;
+  };
   double of_bends = 0, strain = 0;
-  for (std::size_t i = 0; i < s.model.elements.size(); ++i) {
-    const double wave = s.wave_speed[s.model.elements[i].material] / s.element_length[i];
-    of_bends = std::max(of_bends, wave * wave * s.element_state(i, kBendStiffness));
-    strain = std::max(strain, s.element_state(i, kStrain));
+  for (const Largest& part :
+       values_of_ranges<Largest>(s.loop(), static_cast<int>(s.model.elements.size()), kElementRange, largest)) {
+    of_bends = std::max(of_bends, part.of_bends);
+    strain = std::max(strain, part.strain);
   }
   const double bent = of_bends / straight.stiffness;
   const double together = 0.5 * (1 + bent + std::sqrt((1 - bent) * (1 - bent) + 4 * kOverlap * bent));
@@ -255,19 +267,22 @@ double CableSystem::stable_step_as_bent(const StableStep& straight) {
 
 // Whether every number is finite and no slot moves so fast that an element's end could run away: cheap, errs on the
 // safe side.
-bool CableSystem::Impl::looks_sound() const {
+bool CableSystem::Impl::looks_sound() {
   double longest = 1;
   for (const double length : element_length) longest = std::max(longest, length);
   const double limit = kRunawaySpeed * kRunawaySpeed / (longest * longest);
   // Sums see what is not a number, maxima may not.
-  const double places = coordinates.squared_norms(0, layout.size()).sum();
-  const double speeds = velocities.squared_norms(0, layout.size()).sum();
-  return std::isfinite(places) && std::isfinite(speeds) &&
-         velocities.squared_norms(0, layout.size()).maxCoeff() < limit;
+  const auto are_sound = [&](int first, int last) -> char {
+    const double places = coordinates.squared_norms(first, last - first).sum();
+    const auto speeds = velocities.squared_norms(first, last - first);
+    return std::isfinite(places) && std::isfinite(speeds.sum()) && speeds.maxCoeff() < limit ? 1 : 0;
+  };
+  const auto sound = values_of_ranges<char>(loop(), layout.size(), kSlotRange, are_sound);
+  return std::ranges::all_of(sound, [](char part) { return part != 0; });
 }
 
 std::optional<std::string> CableSystem::fault() const {
-  const Impl& s = *impl_;
+  Impl& s = *impl_;
   const std::size_t suspects = s.looks_sound() ? 0 : s.model.elements.size();
   for (std::size_t i = 0; i < suspects; ++i) {
     for (int corner = 0; corner < 4; ++corner) {

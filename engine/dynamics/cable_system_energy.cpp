@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <numeric>
 
 #include "engine/ancf/full_element.h"
 #include "engine/ancf/strain_pair.h"
@@ -6,9 +7,17 @@
 #include "engine/dynamics/hinge_forces.h"
 
 namespace netpocket {
+namespace {
+
+double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
+
+}  // namespace
+
 void CableSystem::Impl::compute_states() {
   element_states.resize(static_cast<std::size_t>(batch.block_count()) * kStateRows * kBlockSize);
-  batch.states(coordinates.rows(), velocities.rows(), element_states.data());
+  loop()(batch.block_count(), kElementRange / kBlockSize, [&](int first, int last) {
+    batch.states(first, last, coordinates.rows(), velocities.rows(), element_states.data());
+  });
 }
 
 // Row `row` of the last compute_states.
@@ -29,9 +38,9 @@ double CableSystem::Impl::tension(std::size_t element) const {
   return section.axial_stiffness(strain) * (strain + section.axial_damping * resisted(element, kStrainRate));
 }
 
-double CableSystem::Impl::strain_energy() const {
-  double energy = wrinkling.energy(coordinates);
-  for (std::size_t i = 0; i < model.elements.size(); ++i) {
+double CableSystem::Impl::strain_energy_of(std::size_t first, std::size_t last) const {
+  double energy = 0;
+  for (std::size_t i = first; i < last; ++i) {
     const CableSection& section = model.material_of(static_cast<std::int32_t>(i)).section;
     if (options.evaluation == ElementEvaluation::full) {
       const ElementCoordinates q = gather(coordinates, i);
@@ -43,6 +52,13 @@ double CableSystem::Impl::strain_energy() const {
       energy += 0.5 * stiffness * strain * element_state(i, kStrain) + element_state(i, kBendingEnergy);
     }
   }
+  return energy;
+}
+
+double CableSystem::Impl::strain_energy() {
+  double energy = wrinkling.energy(coordinates);
+  energy += sum(values_of_ranges<double>(loop(), static_cast<int>(model.elements.size()), kElementRange,
+                                         [&](int first, int last) { return strain_energy_of(first, last); }));
   for (const Hinge& hinge : model.hinges) {
     const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
     energy += hinge_forces(hinge, coordinates.get(layout.gradient(hinge.gradient1)),
@@ -62,10 +78,10 @@ SlotVectors CableSystem::Impl::velocities_after(double kick) {
 
 namespace {
 
-// Of all that moves by itself: what moves with a body, or not at all, has no inverse mass.
+// Of slots that move by themselves: what moves with a body, or not at all, has no inverse mass.
 template <typename Squares>
-double lumped_energy(std::span<const double> mass, std::span<const double> inverse_mass,
-                     const Squares& speeds_squared) {
+double energy_of_slots(std::span<const double> mass, std::span<const double> inverse_mass,
+                       const Squares& speeds_squared) {
   const auto values = [](std::span<const double> by_slot) {
     return Eigen::Map<const Eigen::Array<double, kBlockSize, Eigen::Dynamic>>(
         by_slot.data(), kBlockSize, static_cast<Eigen::Index>(by_slot.size()) / kBlockSize);
@@ -76,19 +92,29 @@ double lumped_energy(std::span<const double> mass, std::span<const double> inver
 
 }  // namespace
 
+// `squares`(first, count): squared speeds of `count` slots from `first` on.
+template <typename Squares>
+double CableSystem::Impl::lumped_energy(const Squares& squares) {
+  return sum(values_of_ranges<double>(loop(), layout.size(), kSlotRange, [&](int first, int last) {
+    const auto begin = static_cast<std::size_t>(first), count = static_cast<std::size_t>(last - first);
+    return energy_of_slots(std::span(mass).subspan(begin, count), std::span(inverse_mass).subspan(begin, count),
+                           squares(first, last - first));
+  }));
+}
+
 // Of bodies, and of nodes and slopes with their lumped or consistent mass at these velocities.
-double CableSystem::Impl::kinetic_energy(const SlotVectors& velocity) const {
+double CableSystem::Impl::kinetic_energy(const SlotVectors& velocity) {
   double energy = 0;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     energy += bodies[b].kinetic_energy_after(wrenches[b], controls[b], 0.5 * last_dt);
   }
   if (consistent_mass) return energy + consistent_mass->kinetic_energy(velocity, mass);
-  return energy + lumped_energy(mass, inverse_mass, velocity.squared_norms(0, layout.size()));
+  return energy + lumped_energy([&](int first, int count) { return velocity.squared_norms(first, count); });
 }
 
 // Velocities half a step apart differ by that of the waves that a step does not resolve.
-double CableSystem::Impl::unresolved_energy(const SlotVectors& velocity) const {
-  return lumped_energy(mass, inverse_mass, velocity.squared_distances(velocities, 0, layout.size()));
+double CableSystem::Impl::unresolved_energy(const SlotVectors& velocity) {
+  return lumped_energy([&](int first, int count) { return velocity.squared_distances(velocities, first, count); });
 }
 
 // Work of gravity and constant loads up to an additive constant.

@@ -19,6 +19,10 @@
 
 namespace netpocket {
 
+// Elements and slots that a thread takes at once, and whose energies are summed in a row: fixed, so that sums do not
+// depend on the number of threads. Whole blocks.
+inline constexpr int kElementRange = 2048, kSlotRange = 8192;
+
 // Rows of ElementBatch::states.
 inline constexpr std::size_t kStrain = 0, kStrainRate = 1, kBendingEnergy = 2, kBendStiffness = 3;
 
@@ -91,10 +95,13 @@ struct CableSystem::Impl {
   bool moves(std::int32_t slot) const;
   bool ends_at_mate(const BatchElement& element) const;
   void set_constant_loads();
-  template <typename Function>
-  void divide_among_threads(int count, int grain, const Function& function);
-  void compute_element_forces();
+  // A loop that the team shares, if there is one.
+  DividedLoop loop();
+  // `meanwhile`: done by the caller's thread before it takes part.
+  template <typename Meanwhile>
+  void compute_element_forces(const Meanwhile& meanwhile);
   void add_hinges(double dt);
+  void find_contacts(double dt);
   void add_contacts(double dt);
   double contact_power() const;
   void compute_forces(double dt);
@@ -114,13 +121,16 @@ struct CableSystem::Impl {
   double element_state(std::size_t element, std::size_t row) const;
   double resisted(std::size_t element, std::size_t row) const;
   double tension(std::size_t element) const;
-  double strain_energy() const;
+  double strain_energy_of(std::size_t first, std::size_t last) const;  // of these elements
+  double strain_energy();
   SlotVectors velocities_after(double kick);
-  double kinetic_energy(const SlotVectors& velocity) const;
-  double unresolved_energy(const SlotVectors& velocity) const;
+  template <typename Squares>
+  double lumped_energy(const Squares& squares);
+  double kinetic_energy(const SlotVectors& velocity);
+  double unresolved_energy(const SlotVectors& velocity);
   double load_work() const;
   EnergyAudit audit();
-  bool looks_sound() const;
+  bool looks_sound();
 };
 
 }  // namespace netpocket

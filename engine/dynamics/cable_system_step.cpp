@@ -30,27 +30,30 @@ const Kernels& kernels() {
 
 }  // namespace
 
-template <typename Function>
-void CableSystem::Impl::divide_among_threads(int count, int grain, const Function& function) {
-  if (team) {
-    team->run(count, grain, function);
-  } else {
-    function(0, count);
-  }
+DividedLoop CableSystem::Impl::loop() {
+  if (!team) return undivided_loop;
+  return [this](int count, int grain, const auto& work) { team->run(count, grain, work); };
 }
 
-void CableSystem::Impl::compute_element_forces() {
+template <typename Meanwhile>
+void CableSystem::Impl::compute_element_forces(const Meanwhile& meanwhile) {
   const bool full = options.evaluation == ElementEvaluation::full;
   const int chunks = (batch.block_count() + kChunk - 1) / kChunk;
   chunk_power.resize(chunks);
-  divide_among_threads(chunks, 1, [&](int first_chunk, int last_chunk) {
+  const auto compute = [&](int first_chunk, int last_chunk) {
     const SlotRows q = coordinates.rows(), velocity = velocities.rows();
     for (int chunk = first_chunk; chunk < last_chunk; ++chunk) {
       const int first = chunk * kChunk, last = std::min(batch.block_count(), first + kChunk);
       chunk_power[chunk] = full ? full_batch.forces(batch, first, last, q, velocity, element_forces.data())
                                 : batch.forces(first, last, q, velocity, element_forces.data());
     }
-  });
+  };
+  if (team) {
+    team->run(chunks, 1, compute, meanwhile);
+  } else {
+    meanwhile();
+    compute(0, chunks);
+  }
   element_power = {};
   for (const BatchPower& power : chunk_power) {
     element_power.dissipated += power.dissipated;
@@ -80,10 +83,13 @@ void CableSystem::Impl::add_hinges(double dt) {
 }
 
 // All contacts see the same state: they are found before any of them acts.
-void CableSystem::Impl::add_contacts(double dt) {
+void CableSystem::Impl::find_contacts(double dt) {
   contacted.clear();
   contacts.find(coordinates, velocities, batch, bodies, dt, contacted);
   if (cord_contacts) cord_contacts->find(coordinates, velocities, element_length, dt, contacted);
+}
+
+void CableSystem::Impl::add_contacts(double dt) {
   contacted.predict(velocities, inverse_mass, dt, [this](auto blocks, double* rows) { sum_forces(blocks, rows); });
   contacts.add_forces(velocities, contacted, inverse_mass, bodies, dt, applied, wrenches);
   if (cord_contacts) cord_contacts->add_forces(velocities, contacted, inverse_mass, dt, applied);
@@ -105,14 +111,17 @@ void CableSystem::Impl::keep_forces_current(double dt) {
 
 void CableSystem::Impl::compute_forces(double dt) {
   update_ropes();
-  compute_element_forces();
-  applied.clear();
-  for (Wrench& wrench : wrenches) wrench = Wrench{};
-  add_hinges(dt);
-  wrinkling.add_forces(coordinates, applied);
-  if (!ropes.empty()) {
-    ropes.add_flow_forces(coordinates, velocities, last_dt, 0.5 * (last_dt + dt), applied);
-  }
+  if (cord_contacts) cord_contacts->look_around(coordinates, velocities, element_length, dt, loop());
+  compute_element_forces([&] {
+    applied.clear();
+    for (Wrench& wrench : wrenches) wrench = Wrench{};
+    add_hinges(dt);
+    wrinkling.add_forces(coordinates, applied);
+    if (!ropes.empty()) {
+      ropes.add_flow_forces(coordinates, velocities, last_dt, 0.5 * (last_dt + dt), applied);
+    }
+    find_contacts(dt);
+  });
   add_contacts(dt);
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     add_attachment_forces(b);
@@ -168,8 +177,12 @@ void CableSystem::Impl::kick_and_drift(SlotVectors& v, SlotVectors& x, const Ali
   view.inverse_mass = inverse_masses.data();
   view.coordinates = x.data();
   view.velocities = v.data();
-  divide_among_threads(assembly.block_count(), 4 * kChunk,
-                       [&](int first, int last) { kernels().update(view, first, last, kick, drift); });
+  const auto update = [&](int first, int last) { kernels().update(view, first, last, kick, drift); };
+  if (team) {
+    team->run(assembly.block_count(), kChunk, update);
+  } else {
+    update(0, assembly.block_count());
+  }
 }
 
 // The same with the evaluation's mass. With the consistent one the forces are first collected: they are what a kick

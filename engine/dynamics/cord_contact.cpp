@@ -172,7 +172,6 @@ void CordContact::for_each_corner(const Function& function) const {
 void CordContact::find(const SlotVectors& coordinates, const SlotVectors& velocities,
                        const std::vector<double>& element_length, double dt, ContactedSlots& contacted) {
   contacts_.clear();
-  search_.update(coordinates, velocities, element_length, dt);
   if (search_.near().empty()) return;
   vertices_.clear();
   for (const std::int32_t element : search_.near_elements()) {

@@ -42,6 +42,12 @@ class CordContact {
   void forget_candidates() { search_.forget(); }
   void set_friction(double coefficient) { settings_.friction = coefficient; }
 
+  // To be called at every step, before find: see CordSearch::update.
+  void look_around(const SlotVectors& coordinates, const SlotVectors& velocities,
+                   const std::vector<double>& element_length, double dt, const DividedLoop& loop) {
+    search_.update(coordinates, velocities, element_length, dt, loop);
+  }
+
   // Finds the contacts at this state and enters them in `contacted`. `element_length`: current material length by
   // element (m). `dt` (s): step over which the forces will act.
   void find(const SlotVectors& coordinates, const SlotVectors& velocities, const std::vector<double>& element_length,

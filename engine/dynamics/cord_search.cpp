@@ -17,6 +17,8 @@ using Eigen::Vector3d;
 constexpr double kLongestTravel = 0.05;
 // Candidates that are looked at only if the first of them is due.
 constexpr std::size_t kGroup = 64;
+// Slots and elements that a thread takes at once; whole blocks.
+constexpr int kSlotRange = 2048, kElementRange = 1024;
 // Clearance (m) below which capsules are tested at every step, besides what they may move until the next survey.
 constexpr double kNearMargin = 0.02;
 // The same in fine nets, where everything would be near: part of the broad phase's margin.
@@ -71,44 +73,55 @@ void CordSearch::forget() {
   std::ranges::fill(group_clear_until_, 0.0);
 }
 
-// Bound of the speed (m/s) of any point of a cord: |S_2| + |S_4| = L (1 - xi^2)/4.
-double CordSearch::fastest(const SlotVectors& velocities) const {
-  if (node_count_ == 0 || gradient_count_ == 0) return 0;
-  const double node = velocities.squared_norms(0, node_count_).maxCoeff();
-  const double gradient =
-      (quarter_length_.square() * velocities.squared_norms(first_gradient_, gradient_count_)).maxCoeff();
+// |S_2| + |S_4| = L (1 - xi^2)/4.
+template <typename Squares>
+double CordSearch::largest_motion(const DividedLoop& loop, const Squares& squares) const {
+  const auto largest = [&](std::int32_t slots, const auto& values) {
+    const auto maxima = values_of_ranges<double>(
+        loop, slots, kSlotRange, [&](int first, int last) { return values(first, last - first).maxCoeff(); });
+    return maxima.empty() ? 0.0 : std::ranges::max(maxima);
+  };
+  const double node = largest(node_count_, squares);
+  const double gradient = largest(gradient_count_, [&](std::int32_t first, std::int32_t count) {
+    const auto quarter = quarter_length_.middleCols(first / kBlockSize, (count + kBlockSize - 1) / kBlockSize);
+    return quarter.square() * squares(first_gradient_ + first, count);
+  });
   return std::sqrt(node) + std::sqrt(gradient);
 }
 
-// Likewise, of the way (m) of any point since the last call.
-double CordSearch::take_way(const SlotVectors& coordinates) {
+// Bound of the way (m) of any point since the last call.
+double CordSearch::take_way(const SlotVectors& coordinates, const DividedLoop& loop) {
   double way = 0;
-  if (surveyed_.size() == coordinates.size() && node_count_ != 0 && gradient_count_ != 0) {
-    const double node = coordinates.squared_distances(surveyed_, 0, node_count_).maxCoeff();
-    const double gradient =
-        (quarter_length_.square() * coordinates.squared_distances(surveyed_, first_gradient_, gradient_count_))
-            .maxCoeff();
-    way = std::sqrt(node) + std::sqrt(gradient);
+  if (surveyed_.size() == coordinates.size()) {
+    way = largest_motion(loop, [&](std::int32_t first, std::int32_t count) {
+      return coordinates.squared_distances(surveyed_, first, count);
+    });
   }
   surveyed_ = coordinates;
   return way;
 }
 
-bool CordSearch::update_candidates(const SlotVectors& coordinates, const std::vector<double>& element_length) {
-  std::vector<AlignedBox3d> boxes;
-  boxes.reserve(model_.elements.size());
-  for (std::size_t i = 0; i < model_.elements.size(); ++i) {
-    const auto element = static_cast<std::int32_t>(i);
-    boxes.push_back(curve_bounds(coordinates, polyline_.slots(element), element_length[i], model_.radius_of(element)));
-  }
+bool CordSearch::update_candidates(const SlotVectors& coordinates, const std::vector<double>& element_length,
+                                   const DividedLoop& loop) {
+  std::vector<AlignedBox3d> boxes(model_.elements.size());
+  loop(static_cast<int>(boxes.size()), kElementRange, [&](int first, int last) {
+    for (std::int32_t i = first; i < last; ++i) {
+      const auto index = static_cast<std::size_t>(i);
+      boxes[index] = curve_bounds(coordinates, polyline_.slots(i), element_length[index], model_.radius_of(i));
+    }
+  });
   if (!std::ranges::all_of(boxes, is_sound)) return false;
   if (!broad_phase_.update(boxes, {})) return true;
-  candidates_.clear();
-  for (const auto& [first, second] : broad_phase_.pairs()) {
-    if (!pairs_.may_touch(first, second)) continue;
-    if (least_gap(coordinates, element_length, first, second) > broad_phase_.margin()) continue;
-    candidates_.push_back({first, second, 0});
-  }
+  const auto pairs = broad_phase_.pairs(loop);
+  candidates_ = found_in_ranges<Candidate>(
+      loop, static_cast<int>(pairs.size()), kElementRange, [&](int from, int to, std::vector<Candidate>& found) {
+        for (auto i = static_cast<std::size_t>(from); i < static_cast<std::size_t>(to); ++i) {
+          const auto [first, second] = pairs[i];
+          if (!pairs_.may_touch(first, second)) continue;
+          if (least_gap(coordinates, element_length, first, second) > broad_phase_.margin()) continue;
+          found.push_back({first, second, 0});
+        }
+      });
   group_clear_until_.assign((candidates_.size() + kGroup - 1) / kGroup, 0.0);
   return true;
 }
@@ -162,13 +175,15 @@ void CordSearch::look_at(Candidate& candidate, const SlotVectors& coordinates,
 }
 
 void CordSearch::survey(const SlotVectors& coordinates, const SlotVectors& velocities,
-                        const std::vector<double>& element_length, double dt) {
+                        const std::vector<double>& element_length, double dt, const DividedLoop& loop) {
   // Twice the present speed for what speeds up meanwhile.
-  travel_per_step_ = 2 * fastest(velocities) * dt;
+  const double fastest = largest_motion(
+      loop, [&](std::int32_t first, std::int32_t count) { return velocities.squared_norms(first, count); });
+  travel_per_step_ = 2 * fastest * dt;
   steps_to_survey_ =
       survey_interval(travel_per_step_, std::min(kLongestTravel, BroadPhase::kLeastInHand * broad_phase_.margin()));
   const double travel = travel_per_step_ * steps_to_survey_;
-  const double way = take_way(coordinates);
+  const double way = take_way(coordinates, loop);
   travelled_ += way;
   for (const std::int32_t element : near_elements_) near_place_[static_cast<std::size_t>(element)] = -1;
   near_elements_.clear();
@@ -177,7 +192,7 @@ void CordSearch::survey(const SlotVectors& coordinates, const SlotVectors& veloc
   const bool outdated = broad_phase_.advance(way - expected_way_ + travel);
   expected_way_ = travel;
   if (outdated) {
-    if (!update_candidates(coordinates, element_length)) {
+    if (!update_candidates(coordinates, element_length, loop)) {
       candidates_.clear();
       forget();
       sides_.clear();
@@ -227,8 +242,8 @@ void CordSearch::sort_sides() {
 }
 
 void CordSearch::update(const SlotVectors& coordinates, const SlotVectors& velocities,
-                        const std::vector<double>& element_length, double dt) {
-  if (steps_to_survey_ <= 0) survey(coordinates, velocities, element_length, dt);
+                        const std::vector<double>& element_length, double dt, const DividedLoop& loop) {
+  if (steps_to_survey_ <= 0) survey(coordinates, velocities, element_length, dt, loop);
   --steps_to_survey_;
 }
 

@@ -40,9 +40,10 @@ class CordSearch {
   // To be called when positions have changed other than by steps.
   void forget();
 
-  // To be called at every step, before what it finds is asked for. `element_length` in m, by element; `dt` in s.
+  // To be called at every step, before what it finds is asked for. `element_length` in m, by element; `dt` in s;
+  // `loop`: whose threads share what takes long, seldom.
   void update(const SlotVectors& coordinates, const SlotVectors& velocities, const std::vector<double>& element_length,
-              double dt);
+              double dt, const DividedLoop& loop);
 
   std::span<const std::int32_t> near_elements() const { return near_elements_; }
   std::span<const NearSegments> near() const { return near_; }
@@ -58,14 +59,18 @@ class CordSearch {
     double clear_until;  // m of travel, as travelled_ counts it, up to which the two cannot touch
   };
   void survey(const SlotVectors& coordinates, const SlotVectors& velocities, const std::vector<double>& element_length,
-              double dt);
+              double dt, const DividedLoop& loop);
   // Finds its near segments if it is due.
   void look_at(Candidate& candidate, const SlotVectors& coordinates, const std::vector<double>& element_length,
                double reach);
-  double fastest(const SlotVectors& velocities) const;
-  double take_way(const SlotVectors& coordinates);
+  // Bound of the size of a motion of any point of a cord: `squares`(first, count) are those of `count` slots from
+  // `first` on.
+  template <typename Squares>
+  double largest_motion(const DividedLoop& loop, const Squares& squares) const;
+  double take_way(const SlotVectors& coordinates, const DividedLoop& loop);
   // False when the state is lost: then there is nothing to look for.
-  bool update_candidates(const SlotVectors& coordinates, const std::vector<double>& element_length);
+  bool update_candidates(const SlotVectors& coordinates, const std::vector<double>& element_length,
+                         const DividedLoop& loop);
   // Least gap that two elements can have, by their chords and how far the curves are off them, m.
   double least_gap(const SlotVectors& coordinates, const std::vector<double>& element_length, std::int32_t first,
                    std::int32_t second) const;

@@ -1,6 +1,7 @@
 #include "engine/dynamics/thread_team.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace netpocket {
 namespace {
@@ -9,9 +10,8 @@ namespace {
 constexpr int kLooks = 20000;
 // A loop that takes one thread so long is worth the time that others take to wake; shorter ones wait for the next.
 constexpr std::chrono::microseconds kWorthWaking{500};
-// How long the caller waits for the others' parts, besides half of what its own took, before it does the rest itself.
-// Then some other program must have their processor, and it works alone for a while: as many times as long as it has
-// lost.
+// How long the caller waits for ranges that others have begun. If they take longer some other program must have their
+// processor, and it works alone for a while: as many times as long as it has lost.
 constexpr std::chrono::microseconds kPatience{50};
 constexpr int kTimesAlone = 16;
 // How often it looks at the end of what is under way before it lets other programs have its own.
@@ -35,15 +35,31 @@ ThreadTeam::~ThreadTeam() {
   round_.notify_all();
 }
 
-// Takes what is left of a part.
-void ThreadTeam::take_ranges(Part& part) {
-  for (int range = part.next++; range < part.end; range = part.next++) {
-    (*work_)(range * grain_, std::min(count_, (range + 1) * grain_));
+std::pair<int, int> ThreadTeam::Part::take(bool from_front) {
+  std::uint64_t left = left_;
+  for (;;) {
+    const int first = static_cast<int>(left >> 32), last = static_cast<int>(left & 0xffffffffU);
+    if (first >= last) return {last, last};
+    const int count = (last - first + 1) / 2;
+    if (left_.compare_exchange_weak(left, from_front ? pack(first + count, last) : pack(first, last - count))) {
+      return from_front ? std::pair(first, first + count) : std::pair(last - count, last);
+    }
   }
 }
 
-bool ThreadTeam::all_taken() const {
-  return std::ranges::all_of(parts_, [](const Part& part) { return part.next >= part.end; });
+void ThreadTeam::take_part(Part& part, bool from_front) {
+  for (auto [first, last] = part.take(from_front); first < last; std::tie(first, last) = part.take(from_front)) {
+    (*work_)(first * grain_, std::min(count_, last * grain_));
+  }
+}
+
+// Two by two, threads begin at the outer ends of their parts and meet in the middle: each has about the same ranges in
+// every loop, whichever is faster. Then it helps the others, against the way they go.
+void ThreadTeam::work_as(int member) {
+  take_part(parts_[static_cast<std::size_t>(member)], member % 2 == 0);
+  const int partner = member ^ 1;
+  if (partner < threads_) take_part(parts_[static_cast<std::size_t>(partner)], partner % 2 != 0);
+  for (int other = 0; other < threads_; ++other) take_part(parts_[static_cast<std::size_t>(other)], other % 2 != 0);
 }
 
 // Wakes who sleeps.
@@ -54,10 +70,12 @@ bool ThreadTeam::all_awake() {
   return false;
 }
 
-void ThreadTeam::run(int count, int grain, const std::function<void(int, int)>& work) {
+void ThreadTeam::run(int count, int grain, const std::function<void(int, int)>& work,
+                     const std::function<void()>& meanwhile) {
   const Clock::time_point begin = Clock::now();
   if (alone_) alone_ = begin < together_from_;
   if (alone_ || (!all_awake() && loop_time_ < kWorthWaking)) {
+    meanwhile();
     work(0, count);
     loop_time_ = Clock::now() - begin;
     return;
@@ -67,25 +85,22 @@ void ThreadTeam::run(int count, int grain, const std::function<void(int, int)>& 
   work_ = &work;
   const int ranges = (count + grain - 1) / grain;
   for (int i = 0; i < threads_; ++i) {
-    parts_[static_cast<std::size_t>(i)].next = bound(ranges, i, threads_);
-    parts_[static_cast<std::size_t>(i)].end = bound(ranges, i + 1, threads_);
+    parts_[static_cast<std::size_t>(i)].set(bound(ranges, i, threads_), bound(ranges, i + 1, threads_));
   }
   open_ = true;
   ++round_;
   round_.notify_all();
-  take_ranges(parts_.front());
+  meanwhile();
+  work_as(0);
   const Clock::time_point own_end = Clock::now();
   loop_time_ = threads_ * (own_end - begin);
-  const Clock::time_point deadline = own_end + kPatience + (own_end - begin) / 2;
-  while (!all_taken() && Clock::now() < deadline) relax();
-  for (Part& part : parts_) take_ranges(part);
   open_ = false;
   for (int look = 1; inside_ > 0; ++look) {
     if (look % kLooksBeforeYield == 0) std::this_thread::yield();
     relax();
   }
   const Clock::time_point end = Clock::now();
-  if (end <= deadline) return;
+  if (end - own_end <= kPatience) return;
   alone_ = true;
   together_from_ = end + kTimesAlone * (end - own_end);
 }
@@ -104,7 +119,7 @@ void ThreadTeam::serve(int member) {
     seen = round_;
     if (ended_) return;
     ++inside_;
-    if (open_) take_ranges(parts_[static_cast<std::size_t>(member)]);
+    if (open_) work_as(member);
     --inside_;
   }
 }

@@ -120,6 +120,33 @@ TEST(BroadPhase, PairsAreThoseOfBruteForce) {
   }
 }
 
+// Backwards, in pieces: as threads might share it.
+void broken_loop(int count, int grain, const std::function<void(int first, int last)>& work) {
+  for (int first = (count - 1) / grain * grain; first >= 0; first -= grain) work(first, std::min(count, first + grain));
+}
+
+TEST(BroadPhase, PairsDoNotDependOnHowLoopsAreShared) {
+  const Room room(5000);
+  BroadPhase broad_phase(5000, 0.05);
+  broad_phase.rebuild(room.boxes(), room.bodies());
+  const auto pairs = broad_phase.pairs();
+  EXPECT_EQ(broad_phase.pairs(broken_loop), pairs);
+  EXPECT_GT(pairs.size(), 2000u);
+}
+
+TEST(DividedLoop, WhatRangesFindComesInTheirOrder) {
+  const auto odd_numbers = [](int first, int last, std::vector<int>& found) {
+    for (int i = first; i < last; ++i) {
+      if (i % 2 == 1) found.push_back(i);
+    }
+  };
+  EXPECT_EQ(found_in_ranges<int>(broken_loop, 10, 3, odd_numbers), (std::vector<int>{1, 3, 5, 7, 9}));
+  EXPECT_TRUE(found_in_ranges<int>(broken_loop, 0, 3, odd_numbers).empty());
+  const auto count = [](int first, int last) { return last - first; };
+  EXPECT_EQ(values_of_ranges<int>(broken_loop, 10, 4, count), (std::vector<int>{4, 4, 2}));
+  EXPECT_EQ(values_of_ranges<int>(undivided_loop, 10, 4, count), (std::vector<int>{4, 4, 2}));
+}
+
 // The contract that matters: whatever touches is in the list, at every step, though rebuilds are rare.
 TEST(BroadPhase, NothingThatTouchesIsMissedBetweenRebuilds) {
   const double margin = 0.05, step = 2e-3;

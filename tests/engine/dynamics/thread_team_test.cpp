@@ -19,6 +19,7 @@ TEST(ThreadTeam, DoesEveryIndexOnce) {
         for (int round = 1; round <= 50; ++round) {
           team.run(count, grain, [&](int first, int last) {
             ASSERT_LE(first, last);
+            ASSERT_EQ(first % grain, 0);
             for (int i = first; i < last; ++i) ++done[static_cast<std::size_t>(i)];
           });
           ASSERT_EQ(std::count(done.begin(), done.end(), round), count) << threads << " threads, grain " << grain;
@@ -42,6 +43,23 @@ TEST(ThreadTeam, RoundsFollowEachOther) {
     std::swap(from, to);
   }
   EXPECT_EQ(std::accumulate(from.begin(), from.end(), 0L), kCount * (kCount - 1) / 2 + 2000L * kCount);
+}
+
+// What the caller does meanwhile is done once, whoever does the loop.
+TEST(ThreadTeam, CallerDoesSomethingElseFirst) {
+  ThreadTeam team(2);
+  int meanwhile = 0;
+  std::atomic<int> sum = 0;
+  for (int round = 0; round < 200; ++round) {
+    team.run(
+        50, 1, [&](int first, int last) { sum += last - first; },
+        [&] {
+          ++meanwhile;
+          if (round % 50 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        });
+  }
+  EXPECT_EQ(meanwhile, 200);
+  EXPECT_EQ(sum, 200 * 50);
 }
 
 // Members fall asleep between rounds and are woken; one that is away does not hold up the others for good.
