@@ -2,6 +2,8 @@
 
 #include <benchmark/benchmark.h>
 
+#include <Eigen/Core>
+
 #include "engine/ancf/instruction_set.h"
 
 namespace netpocket {
@@ -43,6 +45,10 @@ double run_peak(int count) {
       break;
   }
   return rounds_baseline(count);
+}
+
+double read_all(std::span<const double> values) {
+  return Eigen::Map<const Eigen::ArrayXd>(values.data(), static_cast<Eigen::Index>(values.size())).sum();
 }
 
 }  // namespace netpocket

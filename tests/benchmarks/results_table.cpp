@@ -3,6 +3,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <ctime>
 #include <fstream>
 #include <stdexcept>
@@ -12,6 +13,8 @@
 
 namespace netpocket {
 namespace {
+
+constexpr const char* kSteps = "step/meshes_threads/";
 
 // First value of a key of /proc/cpuinfo.
 std::string processor(const std::string& key) {
@@ -44,38 +47,85 @@ void ResultsTable::ReportRuns(const std::vector<Run>& runs) {
   }
 }
 
-void ResultsTable::write(const std::string& path) const {
-  double reference = 0, peak = 0;
-  for (const Row& row : rows_) {
-    if (row.name == "element/reference_mean_strain") reference = row.counters.at("per_element");
-    if (row.name == "machine/peak") peak = row.counters.at("flops");
-  }
-  std::ofstream file(path);
-  file << "# Timings\n\nWritten by `./dev bench`. Times are processor time, of a machine that does other things too: "
-          "compare the "
-          "ratios, not the\nnanoseconds. \"ratio\" is time per element against `element/reference_mean_strain`, the "
-          "readable "
-          "form of the element,\nin the same run.\n\n";
-  file << fmt::format("- commit {}, {:%Y-%m-%d}\n", NETPOCKET_COMMIT, fmt::gmtime(std::time(nullptr)));
-  file << fmt::format("- {} (model {}), {} processors, kernels for {}\n", processor("model name"), processor("model\t"),
+// The first of this name, or nullptr.
+const ResultsTable::Row* ResultsTable::find(const std::string& name) const {
+  const auto found = std::ranges::find(rows_, name, &Row::name);
+  return found == rows_.end() ? nullptr : &*found;
+}
+
+std::string ResultsTable::machine() const {
+  std::string text = fmt::format("- commit {}, {:%Y-%m-%d}\n", NETPOCKET_COMMIT, fmt::gmtime(std::time(nullptr)));
+  text += fmt::format("- {} (model {}), {} processors, kernels for {}\n", processor("model name"), processor("model\t"),
                       benchmark::CPUInfo::Get().num_cpus, to_string(instruction_set()));
-  file << fmt::format("- load average at the end: {}\n", load_average());
-  if (peak > 0) {
-    file << fmt::format("- measured peak without fused multiply-add: {:.1f} GFLOP/s (`machine/peak`)\n", 1e-9 * peak);
-  }
-  file << "\n| benchmark | elements | ms | ns per element (and step) | ratio | of peak | x real time | bytes per "
-          "element |\n"
-          "| --- | --- | --- | --- | --- | --- | --- | --- |\n";
+  text += fmt::format("- load average at the end: {}\n", load_average());
+  const auto by_threads = [&](const char* name, const char* what, const char* value, const char* unit) {
+    const Row* one = find(fmt::format("{}/real_time/threads:1", name));
+    const Row* two = find(fmt::format("{}/real_time/threads:2", name));
+    if (one == nullptr || two == nullptr) return;
+    const double first = one->counters.at(value), both = two->counters.at(value);
+    text += fmt::format("- {}: {:.1f} {} by one thread, {:.1f} by two ({:.2f} times), `{}`\n", what, 1e-9 * first, unit,
+                        1e-9 * both, both / first, name);
+  };
+  by_threads("machine/peak", "measured peak without fused multiply-add", "flops", "GFLOP/s");
+  by_threads("machine/read", "reading memory", "bytes", "GB/s");
+  return text;
+}
+
+std::string ResultsTable::rows_text() const {
+  const Row *reference = find("element/reference_mean_strain"), *peak = find("machine/peak/real_time/threads:1");
+  std::string text =
+      "| benchmark | elements | ms | ns per element (and step) | ratio | of peak | x real time | bytes per element |\n"
+      "| --- | --- | --- | --- | --- | --- | --- | --- |\n";
   for (const Row& row : rows_) {
     const auto& c = row.counters;
     std::string ratio, part;
-    if (reference > 0 && c.contains("per_element")) ratio = fmt::format("{:.3f}", c.at("per_element") / reference);
-    if (peak > 0 && c.contains("flops") && row.name != "machine/peak")
-      part = fmt::format("{:.0f} %", 100 * c.at("flops") / peak);
-    file << fmt::format("| {} | {} | {:.4g} | {} | {} | {} | {} | {} |\n", row.name, counter(c, "elements", "{:.0f}"),
+    if (reference != nullptr && c.contains("per_element")) {
+      ratio = fmt::format("{:.3f}", c.at("per_element") / reference->counters.at("per_element"));
+    }
+    if (peak != nullptr && c.contains("flops")) {
+      part = fmt::format("{:.0f} %", 100 * c.at("flops") / peak->counters.at("flops"));
+    }
+    text += fmt::format("| {} | {} | {:.4g} | {} | {} | {} | {} | {} |\n", row.name, counter(c, "elements", "{:.0f}"),
                         1e3 * row.cpu_seconds, counter(c, "per_element", "{:.2f}", 1e9), ratio, part,
                         counter(c, "x_real_time", "{:.2f}"), counter(c, "bytes_per_element", "{:.0f}"));
   }
+  return text;
+}
+
+// Steps by one and by two threads, of the same stretch of the same simulation.
+std::string ResultsTable::threads_text() const {
+  std::string text;
+  for (const Row& one : rows_) {
+    if (!one.name.starts_with(kSteps)) continue;
+    std::string name = one.name;
+    const std::size_t threads = name.find("/1/");
+    if (threads == std::string::npos) continue;
+    const Row* two = find(name.replace(threads, 3, "/2/"));
+    if (two == nullptr) continue;
+    const auto times = [&](const char* value) {
+      const double alone = one.counters.at(value), both = two->counters.at(value);
+      return fmt::format("{:.2f} | {:.2f} | {:.2f}", 1e9 * alone, 1e9 * both, alone / both);
+    };
+    text += fmt::format("| {:.0f} | {} | {} |\n", one.counters.at("elements").value, times("per_element"),
+                        times("quiet_per_element"));
+  }
+  if (text.empty()) return text;
+  return "\n## Two threads\n\nWall-clock ns per element and step of one thread and of two, and how many times faster "
+         "two "
+         "are: the mean, and the\nquietest tenth of the intervals between frames, when other programs and other "
+         "machines on the same processor\ndisturb least.\n\n"
+         "| elements | one | two | times | one, quiet | two, quiet | times, quiet |\n"
+         "| --- | --- | --- | --- | --- | --- | --- |\n" +
+         text;
+}
+
+void ResultsTable::write(const std::string& path) const {
+  std::ofstream file(path);
+  file << "# Timings\n\nWritten by `./dev bench`. Times are processor time, of a machine that does other things too: "
+          "compare the ratios, not the\nnanoseconds. \"ratio\" is time per element against "
+          "`element/reference_mean_strain`, the readable form of the element,\nin the same run.\n\n"
+       << machine() << '\n'
+       << rows_text() << threads_text();
   file.flush();
   if (!file) throw std::runtime_error("Cannot write \"" + path + "\".");
 }

@@ -21,6 +21,11 @@ class ResultsTable : public benchmark::ConsoleReporter {
     double cpu_seconds;  // per iteration
     benchmark::UserCounters counters;
   };
+  const Row* find(const std::string& name) const;
+  std::string machine() const;
+  std::string rows_text() const;
+  std::string threads_text() const;
+
   std::vector<Row> rows_;
 };
 
