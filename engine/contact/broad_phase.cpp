@@ -46,9 +46,9 @@ bool is_near(const PlacedShape& body, const AlignedBox3d& element, double margin
   return is_nearer(body.shape, centre, reach);  // a non-finite place counts as near
 }
 
-// Bounds on how far any point has moved from where it was at `before`.
-double displacement_of(const AlignedBox3d& before, const AlignedBox3d& now) {
-  return (now.min() - before.min()).cwiseAbs().cwiseMax((now.max() - before.max()).cwiseAbs()).norm();
+// Bounds on how far any point has moved from where it was at `before`; of a box, squared.
+double squared_displacement_of(const AlignedBox3d& before, const AlignedBox3d& now) {
+  return (now.min() - before.min()).cwiseAbs().cwiseMax((now.max() - before.max()).cwiseAbs()).squaredNorm();
 }
 double displacement_of(const PlacedShape& before, const PlacedShape& now) {
   const double turn = (now.rotation - before.rotation).norm();  // Frobenius: not below the spectral norm
@@ -269,7 +269,8 @@ bool BroadPhase::advance(double distance) {
 double BroadPhase::displacement(std::span<const AlignedBox3d> elements, std::span<const PlacedShape> bodies) const {
   double largest = 0;
   for (std::size_t i = 0; i < elements.size(); ++i)
-    largest = std::max(largest, displacement_of(built_elements_[i], elements[i]));
+    largest = std::max(largest, squared_displacement_of(built_elements_[i], elements[i]));
+  largest = std::sqrt(largest);
   for (std::size_t i = 0; i < bodies.size(); ++i)
     largest = std::max(largest, displacement_of(built_bodies_[i], bodies[i]));
   return largest;

@@ -53,6 +53,7 @@ RopeDynamics::RopeDynamics(const Model& model, const SlotLayout& layout) {
     rope.elements = source.elements;
     rope.section = model.material_of(source.elements.front()).section;
     rope.motion = source.motion;
+    rope.alike = source.alike;
     rope.share_at_start = source.share_at_start;
     rope.initial_length = source.motion(0).length;
     rope.spans.resize(source.elements.size());
@@ -117,7 +118,7 @@ void RopeDynamics::set_motion(const std::function<RopeMotion(double)>& motion) {
 bool RopeDynamics::set_time(double t) {
   bool changed = !started_;
   for (Rope& rope : ropes_) {
-    const RopeMotion motion = rope.motion(t);
+    const RopeMotion motion = rope.alike < 0 ? rope.motion(t) : ropes_[rope.alike].now;
     changed = changed || !(motion == rope.now);
     rope.now = motion;
   }

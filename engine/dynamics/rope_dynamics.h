@@ -79,6 +79,7 @@ class RopeDynamics {
     std::vector<MaterialSpan> spans;                 // of each element, now
     CableSection section;
     std::function<RopeMotion(double)> motion;
+    std::int32_t alike;  // an earlier rope with the same motion, or -1
     double share_at_start;
     double initial_length;
     RopeMotion before{}, now{};  // at the start of the previous step, and at that of the present one

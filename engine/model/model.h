@@ -114,6 +114,7 @@ struct VariableRope {
   std::vector<std::int32_t> elements;             // indices into Model::elements, from one end to the other
   std::function<RopeMotion(double time)> motion;  // pure function of time
   double share_at_start = 0.5;                    // part of the winding done by the retractor at the first node
+  std::int32_t alike = -1;                        // an earlier rope with the same motion, if known: need not be asked
 };
 
 struct Model {

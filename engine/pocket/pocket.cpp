@@ -243,10 +243,13 @@ void PocketBuilder::add_closing_ropes() {
   const SectorThread thread =
       sectors_.add_thread({tip, tip.of_next()}, {scenario_.closing.elements}, rope_, ElementKind::closing_rope,
                           [](int sector) { return fmt::format("closing rope {}", sector + 1); });
+  double first_open = 0;  // of the first sector
   for (int sector = 0; sector < sectors_.sectors(); ++sector) {
     const double open = (sectors_.position(tip.of_next(), sector) - sectors_.position(tip, sector)).norm();
     VariableRope rope;
     for (const std::int32_t local : thread.elements) rope.elements.push_back(sectors_.element(local, sector));
+    if (sector == 0) first_open = open;
+    if (sector > 0 && open == first_open) rope.alike = 0;
     rope.motion = [schedule = ClosingSchedule(scenario_.closing, open)](double time) {
       const ClosingState state = schedule.at(time);
       return RopeMotion{state.length, state.speed, state.acceleration};

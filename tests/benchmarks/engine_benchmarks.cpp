@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <random>
 #include <string_view>
 
@@ -247,8 +248,10 @@ Scenario case1() {
 }
 
 // Case 1 with a recording of 100 frames per simulated second. Counts the stepping thread's processor time: on a quiet
-// machine with a second processor for the writer that is the time one waits.
+// machine with a second processor for the writer that is the time one waits. The counters are those of the fastest
+// iteration: what slows down the others is not the engine.
 void capture(benchmark::State& state) {
+  double fastest = std::numeric_limits<double>::infinity();
   for (auto _ : state) {
     Scenario scenario = case1();
     scenario.pocket.elements_per_side = static_cast<int>(state.range(0));
@@ -258,13 +261,15 @@ void capture(benchmark::State& state) {
     const RunResult result = run_to_recording(scenario, path, {.overwrite = true});
     const double seconds = thread_seconds() - start;
     std::filesystem::remove(path);
+    if (seconds >= fastest) continue;
+    fastest = seconds;
     const RunStatistics& statistics = result.statistics;
     state.counters["x_real_time"] = statistics.simulated_seconds / seconds;
     state.counters["elements"] = statistics.elements;
     state.counters["per_element"] = seconds / (static_cast<double>(statistics.steps) * statistics.elements);
   }
 }
-BENCHMARK(capture)->Name("case1/elements_per_side")->Arg(1)->Arg(2)->Iterations(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(capture)->Name("case1/elements_per_side")->Arg(1)->Arg(2)->Iterations(5)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace netpocket
