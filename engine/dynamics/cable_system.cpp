@@ -56,17 +56,20 @@ CableSystem::Impl::Impl(Model&& source, const SystemOptions& opts)
       assembly(batch_elements(), layout.size(), team ? options.threads : 1),
       mass(layout.size(), 0.0),
       inverse_mass(layout.size(), 0.0),
+      moving_mass(layout.size(), 0.0),
+      unmoved(layout.size()),
       ropes(model, layout),
       wrinkling(model, batch_elements(), opts.evaluation == ElementEvaluation::full),
       contacts(model, layout),
       contacted(layout.size()),
       element_forces(static_cast<std::size_t>(batch.block_count()) * kForceRows * kBlockSize, 0.0),
       applied(layout.size()) {
-  element_length.reserve(model.elements.size());
-  for (const ModelElement& element : model.elements) element_length.push_back(element.length);
   for (const CableMaterial& material : model.materials) {
     wave_speed.push_back(std::sqrt(material.section.EA / material.section.mass_per_length));
   }
+  element_length.resize(model.elements.size());
+  wave_rate.resize(static_cast<std::size_t>(batch.block_count()) * kBlockSize, 0.0);
+  for (std::size_t i = 0; i < model.elements.size(); ++i) set_length(i, model.elements[i].length);
   set_initial_state();
   collect_mass();
   collect_hinges();
@@ -87,7 +90,7 @@ CableSystem::Impl::Impl(Model&& source, const SystemOptions& opts)
   if (options.evaluation == ElementEvaluation::full) {
     consistent_mass.emplace(model, layout, mass, ropes.massive_slots());
     unit_mass.assign(layout.size(), 1.0);
-    forces = unmoved = SlotVectors(layout.size());
+    forces = SlotVectors(layout.size());
   }
   begin_accounts();
 }
@@ -129,7 +132,9 @@ void CableSystem::Impl::collect_mass() {
   for (const std::int32_t slot : ropes.massive_slots()) mass_without_ropes.push_back(mass[slot]);
   update_ropes();
   for (std::int32_t slot = 0; slot < layout.size(); ++slot) {
-    inverse_mass[slot] = moves(slot) && mass[slot] > 0 ? 1 / mass[slot] : 0;
+    if (!moves(slot) || mass[slot] <= 0) continue;
+    inverse_mass[slot] = 1 / mass[slot];
+    moving_mass[slot] = mass[slot];
   }
 }
 
@@ -164,6 +169,12 @@ bool CableSystem::Impl::moves(std::int32_t slot) const {
   return gradient >= 0 && gradient < layout.gradient_count && model.gradients[gradient].support == Support::free;
 }
 
+void CableSystem::Impl::set_length(std::size_t element, double length) {
+  element_length[element] = length;
+  const double rate = wave_speed[model.elements[element].material] / length;
+  wave_rate[element] = rate * rate;
+}
+
 // Brings lengths and masses of ropes to the present time.
 void CableSystem::Impl::update_ropes() {
   if (ropes.empty() || !ropes.set_time(time)) return;
@@ -172,11 +183,13 @@ void CableSystem::Impl::update_ropes() {
   }
   ropes.update(batch, mass);
   for (const std::int32_t slot : ropes.massive_slots()) {
-    if (inverse_mass[slot] != 0) inverse_mass[slot] = 1 / mass[slot];
+    if (inverse_mass[slot] == 0) continue;
+    inverse_mass[slot] = 1 / mass[slot];
+    moving_mass[slot] = mass[slot];
   }
   for (std::int32_t rope = 0; rope < ropes.rope_count(); ++rope) {
     for (const std::int32_t element : model.ropes[rope].elements) {
-      element_length[element] = ropes.element_length(rope);
+      set_length(static_cast<std::size_t>(element), ropes.element_length(rope));
       full_batch.set_start_rate(element, ropes.span_of(element)->start_rate);
     }
   }
@@ -243,18 +256,19 @@ double CableSystem::stable_step_as_bent(const StableStep& straight) {
   struct Largest {
     double of_bends = 0, strain = 0;
   };
+  using Row = Eigen::Array<double, kBlockSize, 1>;
   const auto largest = [&](int first, int last) {
-    Largest found;
-    for (std::size_t i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i) {
-      const double wave = s.wave_speed[s.model.elements[i].material] / s.element_length[i];
-      found.of_bends = std::max(found.of_bends, wave * wave * s.element_state(i, kBendStiffness));
-      found.strain = std::max(found.strain, s.element_state(i, kStrain));
+    Row of_bends = Row::Zero(), strain = Row::Zero();
+    for (int block = first; block < last; ++block) {
+      const Eigen::Map<const Row> rate(&s.wave_rate[static_cast<std::size_t>(block) * kBlockSize]);  // 0: no element
+      of_bends = of_bends.max(rate * Eigen::Map<const Row>(s.state_row(block, kBendStiffness)));
+      strain = strain.max((rate > 0).select(Eigen::Map<const Row>(s.state_row(block, kStrain)), 0.0));
     }
-    return found;
+    return Largest{of_bends.maxCoeff(), strain.maxCoeff()};
   };
   double of_bends = 0, strain = 0;
   for (const Largest& part :
-       values_of_ranges<Largest>(s.loop(), static_cast<int>(s.model.elements.size()), kElementRange, largest)) {
+       values_of_ranges<Largest>(s.loop(), s.batch.block_count(), kElementRange / kBlockSize, largest)) {
     of_bends = std::max(of_bends, part.of_bends);
     strain = std::max(strain, part.strain);
   }

@@ -20,9 +20,13 @@ void CableSystem::Impl::compute_states() {
   });
 }
 
-// Row `row` of the last compute_states.
+// Of the last compute_states, by lane.
+const double* CableSystem::Impl::state_row(int block, std::size_t row) const {
+  return element_states.data() + (static_cast<std::size_t>(block) * kStateRows + row) * kBlockSize;
+}
+
 double CableSystem::Impl::element_state(std::size_t element, std::size_t row) const {
-  return element_states[(element / kBlockSize * kStateRows + row) * kBlockSize + element % kBlockSize];
+  return state_row(static_cast<int>(element / kBlockSize), row)[element % kBlockSize];
 }
 
 // What an element's tension follows of a row: its own value or that of its pair.
@@ -71,34 +75,19 @@ double CableSystem::Impl::strain_energy() {
 
 // Velocities a kick (s) later: half of the last step brings them to where positions are.
 SlotVectors CableSystem::Impl::velocities_after(double kick) {
-  SlotVectors velocity = velocities, unused = coordinates;
-  move_slots(velocity, unused, kick, 0);
+  SlotVectors velocity = velocities;
+  move_slots(velocity, unmoved, kick, 0);
   return velocity;
 }
 
-namespace {
-
-// Of slots that move by themselves: what moves with a body, or not at all, has no inverse mass.
-template <typename Squares>
-double energy_of_slots(std::span<const double> mass, std::span<const double> inverse_mass,
-                       const Squares& speeds_squared) {
-  const auto values = [](std::span<const double> by_slot) {
-    return Eigen::Map<const Eigen::Array<double, kBlockSize, Eigen::Dynamic>>(
-        by_slot.data(), kBlockSize, static_cast<Eigen::Index>(by_slot.size()) / kBlockSize);
-  };
-  const auto moving = (values(inverse_mass) != 0).template cast<double>();
-  return 0.5 * (moving * values(mass) * speeds_squared).sum();
-}
-
-}  // namespace
-
-// `squares`(first, count): squared speeds of `count` slots from `first` on.
+// Of all that moves by itself: not what moves with a body. `squares`(first, count): squared speeds of `count` slots
+// from `first` on.
 template <typename Squares>
 double CableSystem::Impl::lumped_energy(const Squares& squares) {
   return sum(values_of_ranges<double>(loop(), layout.size(), kSlotRange, [&](int first, int last) {
-    const auto begin = static_cast<std::size_t>(first), count = static_cast<std::size_t>(last - first);
-    return energy_of_slots(std::span(mass).subspan(begin, count), std::span(inverse_mass).subspan(begin, count),
-                           squares(first, last - first));
+    const Eigen::Map<const Eigen::Array<double, kBlockSize, Eigen::Dynamic>> mass_of_blocks(
+        moving_mass.data() + first, kBlockSize, (last - first) / kBlockSize);
+    return 0.5 * (mass_of_blocks * squares(first, last - first)).sum();
   }));
 }
 

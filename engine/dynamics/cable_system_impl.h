@@ -47,10 +47,13 @@ struct CableSystem::Impl {
   AlignedVector<double> inverse_mass;
   std::vector<double> element_length;
   std::vector<double> wave_speed;          // by material, sqrt(EA/m), m/s
+  AlignedVector<double> wave_rate;         // by element, the square of wave speed by length, 1/s^2; whole blocks
+  AlignedVector<double> moving_mass;       // by slot, of what moves by itself; else 0
   std::vector<double> mass_without_ropes;  // of the ropes' massive slots, in their order
   std::optional<ConsistentMass> consistent_mass;
   AlignedVector<double> unit_mass;
-  SlotVectors forces, unmoved;  // to collect forces for the consistent mass
+  SlotVectors forces;   // to collect them for the consistent mass
+  SlotVectors unmoved;  // coordinates for kicks that move nothing
 
   // Parts.
   AlignedVector<HingeBlock> hinges;
@@ -92,6 +95,7 @@ struct CableSystem::Impl {
   void collect_mass();
   void collect_hinges();
   void update_ropes();
+  void set_length(std::size_t element, double length);
   bool moves(std::int32_t slot) const;
   bool ends_at_mate(const BatchElement& element) const;
   void set_constant_loads();
@@ -118,6 +122,7 @@ struct CableSystem::Impl {
   ElementCoordinates gather(const SlotVectors& vectors, std::size_t element) const;
   MaterialSpan span(std::size_t element) const;
   void compute_states();
+  const double* state_row(int block, std::size_t row) const;
   double element_state(std::size_t element, std::size_t row) const;
   double resisted(std::size_t element, std::size_t row) const;
   double tension(std::size_t element) const;

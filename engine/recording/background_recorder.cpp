@@ -1,5 +1,6 @@
 #include "engine/recording/background_recorder.h"
 
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <exception>
@@ -8,6 +9,14 @@
 #include <variant>
 
 namespace netpocket {
+namespace {
+
+// The writer looks into the queue so often, and at once when so many entries wait: to wake it for each would cost the
+// one who makes frames more than to compress them here costs the writer.
+constexpr std::chrono::milliseconds kRest{20};
+constexpr std::size_t kManyEntries = kBackgroundFrames / 2;
+
+}  // namespace
 
 struct BackgroundRecorder::Impl {
   Impl(const std::string& path, const RunOrigin& origin, const Structure& structure, bool overwrite)
@@ -31,8 +40,10 @@ struct BackgroundRecorder::Impl {
 void BackgroundRecorder::Impl::write_frames() {
   std::unique_lock lock(mutex);
   while (true) {
-    changed.wait(lock, [this] { return closing || !queue.empty(); });
-    if (queue.empty()) return;
+    const auto is_needed = [this] { return closing || queue.size() >= kManyEntries; };
+    if (queue.empty()) changed.wait_for(lock, kRest, is_needed);
+    if (queue.empty() && closing) return;
+    if (queue.empty()) continue;
     const std::variant<Snapshot, Checkpoint> entry = std::move(queue.front());
     queue.pop_front();
     const bool wanted = failure == nullptr;
@@ -59,6 +70,7 @@ void BackgroundRecorder::Impl::write(std::variant<Snapshot, Checkpoint> entry) {
     changed.wait(lock, [this] { return queue.size() < kBackgroundFrames; });
     rethrow();
     queue.push_back(std::move(entry));
+    if (queue.size() < kManyEntries) return;
   }
   changed.notify_one();
 }

@@ -1,9 +1,9 @@
 #pragma once
 // A Recorder on a thread of its own: compressing and writing a frame does not hold up what makes the next one.
-// Frames and checkpoints are written in the order in which they are given. As many as kBackgroundFrames wait in a
-// queue; then write() waits. What a Recorder says about crashes holds for the frames that have left the queue. Thread
-// contract: one thread at a time. Errors: throws RecordingError as a Recorder does, but a frame's failure appears at a
-// later call.
+// Frames and checkpoints are written in the order in which they are given, some 20 ms later at most. As many as
+// kBackgroundFrames wait in a queue; then write() waits. What a Recorder says about crashes holds for the frames that
+// have left the queue. Thread contract: one thread at a time. Errors: throws RecordingError as a Recorder does, but a
+// frame's failure appears at a later call.
 
 #include <memory>
 #include <string>
