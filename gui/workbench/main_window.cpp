@@ -130,6 +130,8 @@ void MainWindow::connect_document() {
 
 void MainWindow::connect_session() {
   auto& runs = session_->runs();
+  // A preview that was asked for before comes too late to take its place.
+  connect(session_.get(), &CaptureSession::frame_wanted, preview_.get(), &PreviewBuilder::forget);
   connect(session_.get(), &CaptureSession::frame_shown, this, &MainWindow::show_frame);
   connect(session_.get(), &CaptureSession::current_changed, this, &MainWindow::run_changed);
   connect(session_.get(), &CaptureSession::failed, this, &MainWindow::show_notice);

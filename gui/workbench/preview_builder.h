@@ -17,13 +17,23 @@ class PreviewBuilder : public QObject {
   ~PreviewBuilder() override;
 
   // Of several scenarios in a row the last one counts. One with an error keeps the preview before it.
-  void build(const Scenario& scenario) { task_->submit(scenario); }
+  void build(const Scenario& scenario);
+  // Something else is to be seen: what has been asked for until now is no longer wanted.
+  void forget() { forgotten_ = asked_; }
 
  signals:
   void built(const netpocket::PocketPreview& preview);
 
  private:
-  std::unique_ptr<LatestTask<Scenario>> task_;
+  struct Request {
+    std::int64_t number;
+    Scenario scenario;
+  };
+  void build_in_background(const Request& request);
+
+  std::int64_t asked_ = 0;      // number of the last request
+  std::int64_t forgotten_ = 0;  // of the last one that is no longer wanted
+  std::unique_ptr<LatestTask<Request>> task_;
 };
 
 }  // namespace netpocket

@@ -190,6 +190,7 @@ void CaptureSession::show_frame(std::size_t index) {
   const Run* run = current();
   if (run == nullptr || run->frame_count() == 0) return;
   shown_ = std::min(index, run->frame_count() - 1);
+  emit frame_wanted();
   if (const auto frame = runs_.frame(current_, shown_)) emit frame_shown(frame);
 }
 

@@ -57,6 +57,7 @@ class CaptureSession : public QObject {
 
  signals:
   void current_changed();                                                 // another run is shown
+  void frame_wanted();                                                    // of the current run, to be shown when read
   void frame_shown(std::shared_ptr<const netpocket::Snapshot> snapshot);  // of the current run
   void strategy_answered(netpocket::RunId run, const netpocket::Diagnostics& refused,
                          double time);  // change_strategy()

@@ -343,6 +343,17 @@ TEST_F(WindowTest, EditingAfterARunShowsThePreviewAndSaysSo) {
   EXPECT_EQ(window_->viewport().state().structure->rod_tips.size(), 8u);
 }
 
+// A preview is built in the background: asked for before, it must not take the place of what is chosen meanwhile.
+TEST_F(WindowTest, APreviewThatComesLateIsNotShown) {
+  ASSERT_TRUE(run_to(0.1));
+  ASSERT_FALSE(window_->document().set_value(parameter("pocket.rod_count"), std::int64_t{6}));
+  window_->timeline().go_to(0.05);
+  QTest::qWait(500);
+  EXPECT_EQ(window_->viewport().state().structure->rod_tips.size(), 8u);
+  ASSERT_FALSE(window_->document().set_value(parameter("pocket.rod_count"), std::int64_t{10}));
+  EXPECT_TRUE(wait_until([&] { return window_->viewport().state().structure->rod_tips.size() == 10; }));
+}
+
 TEST_F(WindowTest, ShowsTrailsAndTheInitialShape) {
   ASSERT_TRUE(run_to(0.4));
   EXPECT_EQ(window_->viewport().state().history, nullptr);
