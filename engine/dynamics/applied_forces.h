@@ -14,7 +14,9 @@ namespace netpocket {
 class AppliedForces {
  public:
   explicit AppliedForces(std::int32_t slots)
-      : forces_(slots), marks_(static_cast<std::size_t>(forces_.size() / kBlockSize), Mark::nothing) {}
+      : forces_(slots),
+        marks_(static_cast<std::size_t>(forces_.size() / kBlockSize), Mark::nothing),
+        constant_marks_(marks_) {}
 
   // What acts always, N or N m. To be called before anything is added.
   void set_constant(SlotVectors constant) {
@@ -23,6 +25,7 @@ class AppliedForces {
     for (std::int32_t slot = 0; slot < forces_.size(); ++slot) {
       if (forces_.get(slot) != Eigen::Vector3d::Zero()) mark(slot) = Mark::constant;
     }
+    constant_marks_ = marks_;
     const bool any = std::ranges::any_of(marks_, [](Mark mark) { return mark != Mark::nothing; });
     if (any) constant_ = forces_;
   }
@@ -32,13 +35,14 @@ class AppliedForces {
   // Begins a step.
   void clear() {
     for (const std::int32_t first : touched_) {
-      bool loaded = false;
-      for (std::int32_t slot = first; slot < first + kBlockSize; ++slot) {
-        const Eigen::Vector3d always = constant_ ? constant_->get(slot) : Eigen::Vector3d::Zero();
-        forces_.set(slot, always);
-        loaded = loaded || always != Eigen::Vector3d::Zero();
+      double* rows = forces_.data() + static_cast<std::ptrdiff_t>(first) * kSlotRows;
+      if (constant_) {
+        std::copy_n(constant_->rows().first + static_cast<std::ptrdiff_t>(first) * kSlotRows, kSlotRows * kBlockSize,
+                    rows);
+      } else {
+        std::fill_n(rows, kSlotRows * kBlockSize, 0.0);
       }
-      mark(first) = loaded ? Mark::constant : Mark::nothing;
+      mark(first) = constant_marks_[static_cast<std::size_t>(first / kBlockSize)];
     }
     touched_.clear();
   }
@@ -61,6 +65,7 @@ class AppliedForces {
   SlotVectors forces_;
   std::optional<SlotVectors> constant_;
   std::vector<Mark> marks_;            // by block of slots
+  std::vector<Mark> constant_marks_;   // of what acts always
   std::vector<std::int32_t> touched_;  // first slots of blocks
 };
 

@@ -5,6 +5,7 @@
 //   cable_system_energy.cpp  energies, audit, snapshots
 
 #include "engine/ancf/full_batch.h"
+#include "engine/bodies/sector_sum.h"
 #include "engine/dynamics/applied_forces.h"
 #include "engine/dynamics/assembly.h"
 #include "engine/dynamics/cable_system.h"
@@ -71,6 +72,7 @@ struct CableSystem::Impl {
   std::int64_t step_of_states = -1;      // of the last audit; -1: the state has changed other than by steps
   AppliedForces applied;                 // all but element forces
   std::vector<Wrench> wrenches;          // by body
+  std::vector<SectorSum<Eigen::Vector3d>> hinge_torques;   // by body
   std::vector<std::vector<std::int32_t>> attached_blocks;  // by body: blocks of slots of its attachments, ascending
   AlignedVector<double> attached_forces;                   // on these
   BatchPower element_power;

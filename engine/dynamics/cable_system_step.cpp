@@ -63,7 +63,7 @@ void CableSystem::Impl::compute_element_forces(const Meanwhile& meanwhile) {
 
 void CableSystem::Impl::add_hinges(double dt) {
   hinge_power = 0;
-  std::vector<SectorSum<Eigen::Vector3d>> torque(bodies.size(), SectorSum<Eigen::Vector3d>(Eigen::Vector3d::Zero()));
+  hinge_torques.assign(bodies.size(), SectorSum<Eigen::Vector3d>(Eigen::Vector3d::Zero()));
   for (HingeBlock& block : hinges) {
     hinge_kernel::Axes axes{{1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, 0}};
     if (block.body >= 0) {
@@ -75,11 +75,11 @@ void CableSystem::Impl::add_hinges(double dt) {
     for (int lane = 0; lane < block.count; ++lane) {
       applied.add(block.gradient1[lane], lane_of(block.on_gradient1, lane));
       applied.add(block.gradient2[lane], lane_of(block.on_gradient2, lane));
-      if (block.body >= 0) torque[block.body].add(lane, lane_of(block.torque_on_body, lane));
+      if (block.body >= 0) hinge_torques[block.body].add(lane, lane_of(block.torque_on_body, lane));
       hinge_power += block.dissipated_power[lane];
     }
   }
-  for (std::size_t b = 0; b < bodies.size(); ++b) wrenches[b].torque += torque[b].total();
+  for (std::size_t b = 0; b < bodies.size(); ++b) wrenches[b].torque += hinge_torques[b].total();
 }
 
 // All contacts see the same state: they are found before any of them acts.
