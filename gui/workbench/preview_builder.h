@@ -4,6 +4,8 @@
 
 #include <QObject>
 #include <memory>
+#include <mutex>
+#include <optional>
 
 #include "gui/workbench/simulation/latest_task.h"
 #include "gui/workbench/simulation/pocket_preview.h"
@@ -29,10 +31,17 @@ class PreviewBuilder : public QObject {
     std::int64_t number;
     Scenario scenario;
   };
+  struct Result {
+    std::int64_t number;
+    PocketPreview preview;
+  };
   void build_in_background(const Request& request);
+  void take_result();
 
-  std::int64_t asked_ = 0;      // number of the last request
-  std::int64_t forgotten_ = 0;  // of the last one that is no longer wanted
+  std::int64_t asked_ = 0;        // number of the last request
+  std::int64_t forgotten_ = 0;    // of the last one that is no longer wanted
+  std::mutex mutex_;              // guards what follows
+  std::optional<Result> result_;  // not yet taken
   std::unique_ptr<LatestTask<Request>> task_;
 };
 

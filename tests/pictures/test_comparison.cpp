@@ -9,9 +9,6 @@
 #include "tests/pictures/picture_comparison.h"
 #include "tests/render/synthetic_pocket.h"
 
-// This program's drivers hold more locks at once than the thread sanitizer can look for deadlocks in.
-extern "C" const char* __tsan_default_options() { return "detect_deadlocks=0"; }
-
 namespace netpocket::pictures {
 namespace {
 

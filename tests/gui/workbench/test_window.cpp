@@ -20,6 +20,7 @@
 #include "gui/workbench/run_actions.h"
 #include "gui/workbench/run_file_actions.h"
 #include "gui/workbench/run_status_bar.h"
+#include "gui/workbench/simulation/pocket_preview.h"
 #include "gui/workbench/timeline/timeline_bar.h"
 #include "gui/workbench/viewport/viewport.h"
 #include "tests/gui/workbench/window_fixture.h"
@@ -80,13 +81,13 @@ TEST_F(WindowTest, FinishesAndJudgesTheRun) {
 TEST_F(WindowTest, EditRedrawsThePocketAndCanBeUndone) {
   ASSERT_TRUE(wait_until([&] { return window_->viewport().state().structure != nullptr; }));
   auto& document = window_->document();
-  const auto before = window_->viewport().state().structure;
+  const std::size_t before = preview_pocket(document.scenario()).structure->elements.size();
   ASSERT_FALSE(document.set_value(parameter("pocket.rod_count"), std::int64_t{6}));
   ASSERT_TRUE(wait_until([&] { return window_->viewport().state().structure->rod_tips.size() == 6; }));
   EXPECT_TRUE(window_->isWindowModified());
   document.undo_stack()->undo();
   ASSERT_TRUE(wait_until([&] { return window_->viewport().state().structure->rod_tips.size() == 8; }));
-  EXPECT_EQ(before->elements.size(), window_->viewport().state().structure->elements.size());
+  EXPECT_EQ(window_->viewport().state().structure->elements.size(), before);
 }
 
 TEST_F(WindowTest, StrategyEditActsOnTheRun) {
