@@ -82,14 +82,28 @@ void RopeDynamics::collect_blocks() {
   });
 }
 
-void RopeDynamics::set_spans() {
+template <typename Function>
+void RopeDynamics::for_each_lane(const Function& function) {
   std::size_t place = 0;
   for_each_element([&](const Rope& rope, std::size_t i) {
-    RopeBlock& block = blocks_[place / kBlockSize];
-    const int lane = static_cast<int>(place++ % kBlockSize);
-    set_lane(block.before, lane, rope.span_at(rope.before, i));
-    set_lane(block.now, lane, rope.span_at(rope.now, i));
+    function(rope, i, blocks_[place / kBlockSize], static_cast<int>(place % kBlockSize));
+    ++place;
   });
+}
+
+void RopeDynamics::set_present_spans() {
+  for (Rope& rope : ropes_) {
+    for (std::size_t i = 0; i < rope.spans.size(); ++i) rope.spans[i] = rope.span_at(rope.now, i);
+  }
+  for_each_lane(
+      [](const Rope& rope, std::size_t i, RopeBlock& block, int lane) { set_lane(block.now, lane, rope.spans[i]); });
+}
+
+void RopeDynamics::set_previous_spans() {
+  for_each_lane([](const Rope& rope, std::size_t i, RopeBlock& block, int lane) {
+    set_lane(block.before, lane, rope.span_at(rope.before, i));
+  });
+  previous_spans_are_set_ = true;
 }
 
 // First elements of all ropes, second ones, and so on: where ropes meet, what they add comes in the same order in every
@@ -124,18 +138,19 @@ bool RopeDynamics::set_time(double t) {
   }
   if (!started_) finish_step();
   started_ = true;
-  if (moves()) set_spans();
+  if (changed) set_present_spans();
+  if (!previous_spans_are_set_) set_previous_spans();
   return changed;
 }
 
 void RopeDynamics::finish_step() {
   for (Rope& rope : ropes_) rope.before = rope.now;
+  for (RopeBlock& block : blocks_) block.before = block.now;
 }
 
 void RopeDynamics::update(ElementBatch& batch, std::span<double> mass) {
   for (Rope& rope : ropes_) {
     for (std::size_t i = 0; i < rope.elements.size(); ++i) {
-      rope.spans[i] = rope.span_at(rope.now, i);
       batch.set_length(rope.elements[i], rope.spans[i].length, rope.spans[i].length_rate());
     }
   }
@@ -196,6 +211,7 @@ void RopeDynamics::visit_state(const std::function<void(double&)>& visit) {
     visit(rope.before.length);
     visit(rope.before.rate);
   }
+  previous_spans_are_set_ = false;
 }
 
 const MaterialSpan* RopeDynamics::span_of(std::int32_t element) const {

@@ -100,12 +100,16 @@ class RopeDynamics {
   void for_each_end(const Function& function) const;
   bool moves() const { return std::ranges::any_of(ropes_, &Rope::moves); }
   void collect_blocks();
-  void set_spans();  // into the blocks
+  template <typename Function>
+  void for_each_lane(const Function& function);
+  void set_present_spans();   // of the ropes' elements and in the blocks
+  void set_previous_spans();  // in the blocks
 
   std::vector<Rope> ropes_;
   AlignedVector<RopeBlock> blocks_;  // their elements in the order of for_each_element
   bool started_ = false;             // a time has been set
-  std::size_t longest_ = 0;          // elements of the longest rope
+  bool previous_spans_are_set_ = false;
+  std::size_t longest_ = 0;  // elements of the longest rope
   std::vector<std::int32_t> massive_slots_;
   std::vector<std::pair<std::int32_t, std::int32_t>> place_;  // by element: (rope, index), or (-1, -1)
 };
