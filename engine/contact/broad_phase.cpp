@@ -275,22 +275,31 @@ bool BroadPhase::advance(double distance) {
   return !(travelled_ <= 0.5 * margin_);
 }
 
-double BroadPhase::displacement(std::span<const AlignedBox3d> elements, std::span<const PlacedShape> bodies) const {
+double BroadPhase::displacement(std::span<const AlignedBox3d> elements) const {
   double largest = 0;
   for (std::size_t i = 0; i < elements.size(); ++i)
     largest = std::max(largest, squared_displacement_of(built_elements_[i], elements[i]));
-  largest = std::sqrt(largest);
-  for (std::size_t i = 0; i < bodies.size(); ++i)
-    largest = std::max(largest, displacement_of(built_bodies_[i], bodies[i]));
-  return largest;
+  return std::sqrt(largest);
+}
+
+// Lists kept with less in hand would ask for the next update too soon.
+bool BroadPhase::keep(double distance, std::span<const PlacedShape> bodies) {
+  if (rebuild_count_ == 0 || bodies.size() != built_bodies_.size()) return false;
+  // False, too, where one of the distances is not a number.
+  const auto is_short = [&](double way) { return way <= (0.5 - kLeastInHand) * margin_; };
+  double largest = distance;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const double way = displacement_of(built_bodies_[i], bodies[i]);
+    if (!is_short(way)) return false;
+    largest = std::max(largest, way);
+  }
+  if (!is_short(largest)) return false;
+  travelled_ = largest;
+  return true;
 }
 
 bool BroadPhase::update(std::span<const AlignedBox3d> elements, std::span<const PlacedShape> bodies) {
-  if (elements.size() == built_elements_.size() && bodies.size() == built_bodies_.size() && rebuild_count_ > 0) {
-    travelled_ = displacement(elements, bodies);
-    // Lists kept with less in hand would ask for the next update too soon.
-    if (travelled_ <= (0.5 - kLeastInHand) * margin_) return false;
-  }
+  if (elements.size() == built_elements_.size() && keep(displacement(elements), bodies)) return false;
   rebuild(elements, bodies);
   return true;
 }

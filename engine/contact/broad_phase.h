@@ -43,6 +43,10 @@ class BroadPhase {
   // distances add up to more than half the margin.
   bool advance(double distance);
 
+  // Takes what has really moved since the lists were built, no point of an element by more than `distance` (m): keeps
+  // the lists and says so if they can bear another kLeastInHand of the margin.
+  bool keep(double distance, std::span<const PlacedShape> bodies);
+
   // Takes what has really moved since the lists were built, which is less than the sum of the distances when cords
   // vibrate: keeps the lists if they can bear another kLeastInHand of the margin, else rebuilds. True when it has
   // rebuilt. What moves from now on is to be noted by another advance. Arguments and errors are those of rebuild.
@@ -65,7 +69,7 @@ class BroadPhase {
   int rebuild_count() const { return rebuild_count_; }
 
  private:
-  double displacement(std::span<const Eigen::AlignedBox3d> elements, std::span<const PlacedShape> bodies) const;
+  double displacement(std::span<const Eigen::AlignedBox3d> elements) const;
 
   struct Tree;
   std::unique_ptr<Tree> tree_;

@@ -73,6 +73,7 @@ ContactSolver::ContactSolver(const Model& model, const SlotLayout& layout)
       settings_(model.contact),
       damping_(restitution_damping(model.contact.restitution)),
       broad_phase_(static_cast<int>(model.elements.size()), kBroadMargin),
+      motion_(model),
       body_force_(model.bodies.size(), Vector3d::Zero()) {
   const int count = settings_.samples_per_element;
   for (int i = 0; i < count; ++i) {
@@ -141,8 +142,33 @@ const NormalLaw* ContactSolver::laws(std::int32_t block, std::int32_t body, doub
   return pairs.law;
 }
 
+// Calls function(length) for each element of a rope, m.
+template <typename Function>
+void ContactSolver::for_each_rope_element(const ElementBatch& batch, const Function& function) const {
+  for (const VariableRope& rope : model_.ropes) {
+    for (const std::int32_t element : rope.elements) {
+      function(batch.block(element / kBlockSize).length[element % kBlockSize]);
+    }
+  }
+}
+
+// A curve whose element changes its length by d moves by no more than |d| |S_2 + S_4|/L <= |d|/4 besides.
+double ContactSolver::way_since_built(const SlotVectors& coordinates, const ElementBatch& batch) const {
+  double change = 0;
+  std::size_t place = 0;
+  for_each_rope_element(
+      batch, [&](double length) { change = std::max(change, std::abs(length - built_rope_length_[place++])); });
+  return motion_.way(built_coordinates_, coordinates) + 0.25 * change;
+}
+
 bool ContactSolver::update_broad_phase(const SlotVectors& coordinates, const ElementBatch& batch,
                                        const std::vector<DynamicBody>& bodies) {
+  std::vector<PlacedShape> shapes;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    shapes.push_back({model_.bodies[b].shape, bodies[b].centre(), bodies[b].rigid().rotation()});
+  }
+  const bool is_built = built_coordinates_.size() == coordinates.size();
+  if (is_built && broad_phase_.keep(way_since_built(coordinates, batch), shapes)) return true;
   std::vector<Eigen::AlignedBox3d> boxes;
   boxes.reserve(model_.elements.size());
   for (std::size_t i = 0; i < model_.elements.size(); ++i) {
@@ -152,15 +178,14 @@ bool ContactSolver::update_broad_phase(const SlotVectors& coordinates, const Ele
                                  {block.slot[0][lane], block.slot[1][lane], block.slot[2][lane], block.slot[3][lane]},
                                  block.length[lane], model_.radius_of(static_cast<std::int32_t>(i))));
   }
-  std::vector<PlacedShape> shapes;
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    shapes.push_back({model_.bodies[b].shape, bodies[b].centre(), bodies[b].rigid().rotation()});
-  }
   const bool lost = !std::ranges::all_of(boxes, is_sound) || !std::ranges::all_of(bodies, [](const DynamicBody& body) {
     return is_sound(Eigen::AlignedBox3d(body.centre()));
   });
   if (lost) return false;
-  broad_phase_.update(boxes, shapes);
+  broad_phase_.rebuild(boxes, shapes);
+  built_coordinates_ = coordinates;
+  built_rope_length_.clear();
+  for_each_rope_element(batch, [&](double length) { built_rope_length_.push_back(length); });
   return true;
 }
 

@@ -23,6 +23,7 @@
 #include "engine/dynamics/contacted_slots.h"
 #include "engine/dynamics/dynamic_body.h"
 #include "engine/dynamics/element_curve.h"
+#include "engine/dynamics/motion_bound.h"
 #include "engine/dynamics/slot_state.h"
 #include "engine/model/model.h"
 
@@ -88,6 +89,10 @@ class ContactSolver {
   void survey(const SlotVectors& coordinates, const SlotVectors& velocities, const ElementBatch& batch,
               const std::vector<DynamicBody>& bodies, double dt);
   double fastest(const SlotVectors& velocities, const std::vector<DynamicBody>& bodies) const;
+  template <typename Function>
+  void for_each_rope_element(const ElementBatch& batch, const Function& function) const;
+  // Bound of the way (m) of any point of a cord since the broad phase was built.
+  double way_since_built(const SlotVectors& coordinates, const ElementBatch& batch) const;
   // False when the state is lost: then there is nothing to look for.
   bool update_broad_phase(const SlotVectors& coordinates, const ElementBatch& batch,
                           const std::vector<DynamicBody>& bodies);
@@ -117,7 +122,10 @@ class ContactSolver {
   double damping_;                // alpha of force_law.h
   std::vector<Pairs> pairs_;      // that have touched
   BroadPhase broad_phase_;
-  std::vector<Partner> partners_;  // by body
+  MotionBound motion_;
+  SlotVectors built_coordinates_;          // when the broad phase was built
+  std::vector<double> built_rope_length_;  // m, of ropes' elements, likewise
+  std::vector<Partner> partners_;          // by body
   // No element can come nearer to a body than approach_ grows: it is tested when that has grown by its last clearance.
   double approach_ = 0, approach_per_step_ = 0;  // m
   AlignedVector<double> points_;                 // of one block

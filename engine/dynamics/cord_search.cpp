@@ -17,8 +17,8 @@ using Eigen::Vector3d;
 constexpr double kLongestTravel = 0.05;
 // Candidates that are looked at only if the first of them is due.
 constexpr std::size_t kGroup = 64;
-// Slots and elements that a thread takes at once; whole blocks.
-constexpr int kSlotRange = 2048, kElementRange = 1024;
+// Elements that a thread takes at once.
+constexpr int kElementRange = 1024;
 // Clearance (m) below which capsules are tested at every step, besides what they may move until the next survey.
 constexpr double kNearMargin = 0.02;
 // The same in fine nets, where everything would be near: part of the broad phase's margin.
@@ -51,20 +51,9 @@ CordSearch::CordSearch(const Model& model, const CordPolyline& polyline, const C
     : model_(model),
       polyline_(polyline),
       pairs_(pairs),
-      node_count_(static_cast<std::int32_t>(model.nodes.size())),
-      first_gradient_(SlotLayout{node_count_, 0}.gradient(0)),
-      gradient_count_(static_cast<std::int32_t>(model.gradients.size())),
+      motion_(model),
       broad_phase_(static_cast<int>(model.elements.size()), broad_margin(model)),
-      near_place_(model.elements.size(), -1) {
-  quarter_length_.setZero(kBlockSize, SlotLayout::padded(gradient_count_) / kBlockSize);
-  for (std::size_t i = 0; i < model.elements.size(); ++i) {
-    const ModelElement& element = model.elements[i];
-    for (const std::int32_t gradient : {element.gradient1, element.gradient2}) {
-      double& quarter = quarter_length_(gradient % kBlockSize, gradient / kBlockSize);
-      quarter = std::max(quarter, 0.25 * element.length);
-    }
-  }
-}
+      near_place_(model.elements.size(), -1) {}
 
 void CordSearch::forget() {
   steps_to_survey_ = 0;
@@ -73,30 +62,9 @@ void CordSearch::forget() {
   std::ranges::fill(group_clear_until_, 0.0);
 }
 
-// |S_2| + |S_4| = L (1 - xi^2)/4.
-template <typename Squares>
-double CordSearch::largest_motion(const DividedLoop& loop, const Squares& squares) const {
-  const auto largest = [&](std::int32_t slots, const auto& values) {
-    const auto maxima = values_of_ranges<double>(
-        loop, slots, kSlotRange, [&](int first, int last) { return values(first, last - first).maxCoeff(); });
-    return maxima.empty() ? 0.0 : std::ranges::max(maxima);
-  };
-  const double node = largest(node_count_, squares);
-  const double gradient = largest(gradient_count_, [&](std::int32_t first, std::int32_t count) {
-    const auto quarter = quarter_length_.middleCols(first / kBlockSize, (count + kBlockSize - 1) / kBlockSize);
-    return quarter.square() * squares(first_gradient_ + first, count);
-  });
-  return std::sqrt(node) + std::sqrt(gradient);
-}
-
 // Bound of the way (m) of any point since the last call.
 double CordSearch::take_way(const SlotVectors& coordinates, const DividedLoop& loop) {
-  double way = 0;
-  if (surveyed_.size() == coordinates.size()) {
-    way = largest_motion(loop, [&](std::int32_t first, std::int32_t count) {
-      return coordinates.squared_distances(surveyed_, first, count);
-    });
-  }
+  const double way = surveyed_.size() == coordinates.size() ? motion_.way(surveyed_, coordinates, loop) : 0;
   surveyed_ = coordinates;
   return way;
 }
@@ -177,9 +145,7 @@ void CordSearch::look_at(Candidate& candidate, const SlotVectors& coordinates,
 void CordSearch::survey(const SlotVectors& coordinates, const SlotVectors& velocities,
                         const std::vector<double>& element_length, double dt, const DividedLoop& loop) {
   // Twice the present speed for what speeds up meanwhile.
-  const double fastest = largest_motion(
-      loop, [&](std::int32_t first, std::int32_t count) { return velocities.squared_norms(first, count); });
-  travel_per_step_ = 2 * fastest * dt;
+  travel_per_step_ = 2 * motion_.speed(velocities, loop) * dt;
   steps_to_survey_ =
       survey_interval(travel_per_step_, std::min(kLongestTravel, BroadPhase::kLeastInHand * broad_phase_.margin()));
   const double travel = travel_per_step_ * steps_to_survey_;

@@ -18,6 +18,7 @@
 #include "engine/contact/broad_phase.h"
 #include "engine/dynamics/cord_pairs.h"
 #include "engine/dynamics/cord_polyline.h"
+#include "engine/dynamics/motion_bound.h"
 
 namespace netpocket {
 
@@ -63,10 +64,6 @@ class CordSearch {
   // Finds its near segments if it is due.
   void look_at(Candidate& candidate, const SlotVectors& coordinates, const std::vector<double>& element_length,
                double reach);
-  // Bound of the size of a motion of any point of a cord: `squares`(first, count) are those of `count` slots from
-  // `first` on.
-  template <typename Squares>
-  double largest_motion(const DividedLoop& loop, const Squares& squares) const;
   double take_way(const SlotVectors& coordinates, const DividedLoop& loop);
   // False when the state is lost: then there is nothing to look for.
   bool update_candidates(const SlotVectors& coordinates, const std::vector<double>& element_length,
@@ -82,8 +79,7 @@ class CordSearch {
   const Model& model_;
   const CordPolyline& polyline_;
   const CordPairs& pairs_;
-  std::int32_t node_count_, first_gradient_, gradient_count_;
-  Eigen::Array<double, kBlockSize, Eigen::Dynamic> quarter_length_;  // m, by gradient, of the longest element there
+  MotionBound motion_;
   BroadPhase broad_phase_;
   std::vector<Candidate> candidates_;
   std::vector<double> group_clear_until_;  // by kGroup candidates: the least clear_until

@@ -134,6 +134,24 @@ TEST(BroadPhase, PairsDoNotDependOnHowLoopsAreShared) {
   EXPECT_GT(pairs.size(), 2000u);
 }
 
+TEST(BroadPhase, ListsAreKeptAsLongAsWhatHasMovedAllows) {
+  const double margin = 0.05, most = (0.5 - BroadPhase::kLeastInHand) * margin;
+  const Room room(20);
+  BroadPhase broad_phase(20, margin);
+  EXPECT_FALSE(broad_phase.keep(0, room.bodies())) << "nothing has been built";
+  broad_phase.rebuild(room.boxes(), room.bodies());
+  EXPECT_TRUE(broad_phase.keep(most, room.bodies()));
+  EXPECT_TRUE(broad_phase.advance(0.11 * margin)) << "from there it goes on";
+  EXPECT_FALSE(broad_phase.keep(1.01 * most, room.bodies()));
+  EXPECT_FALSE(broad_phase.keep(std::nan(""), room.bodies()));
+  auto moved = room.bodies();
+  moved[1].position.x() += 1.01 * most;
+  EXPECT_FALSE(broad_phase.keep(0, moved));
+  moved[1].position.x() = std::nan("");
+  EXPECT_FALSE(broad_phase.keep(0, moved));
+  EXPECT_EQ(broad_phase.rebuild_count(), 1);
+}
+
 TEST(DividedLoop, WhatRangesFindComesInTheirOrder) {
   const auto odd_numbers = [](int first, int last, std::vector<int>& found) {
     for (int i = first; i < last; ++i) {
