@@ -285,11 +285,11 @@ bool CableSystem::Impl::looks_sound() {
   double longest = 1;
   for (const double length : element_length) longest = std::max(longest, length);
   const double limit = kRunawaySpeed * kRunawaySpeed / (longest * longest);
-  // Sums see what is not a number, maxima may not.
   const auto are_sound = [&](int first, int last) -> char {
-    const double places = coordinates.squared_norms(first, last - first).sum();
-    const auto speeds = velocities.squared_norms(first, last - first);
-    return std::isfinite(places) && std::isfinite(speeds.sum()) && speeds.maxCoeff() < limit ? 1 : 0;
+    return std::isfinite(largest_square(coordinates.squared_norms(first, last - first))) &&
+                   largest_square(velocities.squared_norms(first, last - first)) < limit
+               ? 1
+               : 0;
   };
   const auto sound = values_of_ranges<char>(loop(), layout.size(), kSlotRange, are_sound);
   return std::ranges::all_of(sound, [](char part) { return part != 0; });

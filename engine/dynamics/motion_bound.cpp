@@ -9,20 +9,6 @@ namespace {
 // Slots that a thread takes at once; whole blocks.
 constexpr int kSlotRange = 2048;
 
-// Of squares by block, a column each; not a number where one of them is none, which maxima may not see but sums do.
-template <typename Squares>
-double largest_square(const Squares& squares) {
-  using Column = Eigen::Array<double, kBlockSize, 1>;
-  Column largest = Column::Zero(), sum = Column::Zero();
-  for (Eigen::Index block = 0; block < squares.cols(); ++block) {
-    const Column column = squares.col(block);
-    largest = largest.max(column);
-    sum += column;
-  }
-  const double total = sum.sum();
-  return std::isnan(total) ? total : largest.maxCoeff();
-}
-
 double largest_of(const std::vector<double>& maxima) {
   double largest = 0;
   for (const double value : maxima) {

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include "engine/ancf/element_batch.h"
@@ -69,6 +70,21 @@ class SlotVectors {
 
   AlignedVector<double> rows_;
 };
+
+// The largest of squared_norms or squared_distances; not a number where one of them is none, which maxima may not see
+// but sums do.
+template <typename Squares>
+double largest_square(const Squares& squares) {
+  using Column = Eigen::Array<double, kBlockSize, 1>;
+  Column largest = Column::Zero(), sum = Column::Zero();
+  for (Eigen::Index block = 0; block < squares.cols(); ++block) {
+    const Column column = squares.col(block);
+    largest = largest.max(column);
+    sum += column;
+  }
+  const double total = sum.sum();
+  return std::isnan(total) ? total : largest.maxCoeff();
+}
 
 // The vector of a lane in rows x, y, z of a block.
 inline Eigen::Vector3d lane_of(const double (&rows)[kSlotRows][kBlockSize], int lane) {
