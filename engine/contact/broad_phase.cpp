@@ -214,11 +214,12 @@ class NearPairs {
 
   // Of a box from `low` to `high`, which includes the margin. All comparisons at once: none can be predicted.
   bool are_near(const Vector3d& low, const Vector3d& high, const AlignedBox3d& other) const {
+    const auto bit = [](bool value) { return static_cast<unsigned>(value); };
     const Vector3d &from = other.min(), &to = other.max();
-    const int before = int{from.x() <= high.x()} & int{from.y() <= high.y()} & int{from.z() <= high.z()};
-    const int after =
-        int{low.x() <= to.x() + margin_} & int{low.y() <= to.y() + margin_} & int{low.z() <= to.z() + margin_};
-    return (before & after) != 0;
+    const unsigned begins_before = bit(from.x() <= high.x()) & bit(from.y() <= high.y()) & bit(from.z() <= high.z());
+    const unsigned ends_after =
+        bit(low.x() <= to.x() + margin_) & bit(low.y() <= to.y() + margin_) & bit(low.z() <= to.z() + margin_);
+    return (begins_before & ends_after) != 0;
   }
   std::uint64_t meeting_column(const AlignedBox3d& a, const AlignedBox3d& b) const {
     return column(std::max(a.min().y(), b.min().y()), std::max(a.min().z(), b.min().z()));
