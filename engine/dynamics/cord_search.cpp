@@ -55,8 +55,11 @@ CordSearch::CordSearch(const Model& model, const CordPolyline& polyline, const C
       broad_phase_(static_cast<int>(model.elements.size()), broad_margin(model)),
       near_place_(model.elements.size(), -1) {}
 
+// Of a lost state even the ways are no numbers: they begin anew, too.
 void CordSearch::forget() {
   steps_to_survey_ = 0;
+  surveyed_ = SlotVectors();
+  travelled_ = expected_way_ = 0;
   broad_phase_.advance(std::numeric_limits<double>::infinity());
   for (Candidate& candidate : candidates_) candidate.clear_until = 0;
   std::ranges::fill(group_clear_until_, 0.0);
