@@ -129,7 +129,7 @@ struct Recording::Impl {
   void complete_outcome();
   Snapshot read_frame(std::size_t index) const;
   void read_nodes(std::size_t index, Snapshot& snapshot) const;
-  void read_contacts(std::size_t index, Snapshot& snapshot) const;
+  std::vector<ContactPoint> read_contacts(std::size_t index) const;
 
   std::string path;
   InputFile file;
@@ -197,7 +197,7 @@ Snapshot Recording::Impl::read_frame(std::size_t index) const {
       snapshot.bodies.push_back(body_state(numbers.data() + i));
     }
   }
-  read_contacts(index, snapshot);
+  snapshot.contacts = read_contacts(index);
   return snapshot;
 }
 
@@ -219,7 +219,8 @@ void Recording::Impl::read_nodes(std::size_t index, Snapshot& snapshot) const {
   snapshot.strain = vector(tables->strain);
 }
 
-void Recording::Impl::read_contacts(std::size_t index, Snapshot& snapshot) const {
+std::vector<ContactPoint> Recording::Impl::read_contacts(std::size_t index) const {
+  std::vector<ContactPoint> contacts;
   const auto range = tables->contact_range.read<std::int64_t>(index, 1);
   if (range[0] < 0 || range[1] < 0) throw Hdf5Error("its contacts are damaged");
   const auto first = static_cast<hsize_t>(range[0]);
@@ -235,8 +236,9 @@ void Recording::Impl::read_contacts(std::size_t index, Snapshot& snapshot) const
                        static_cast<std::size_t>(contact.element) < structure.elements.size() &&
                        static_cast<std::size_t>(contact.body) < structure.bodies.size();
     if (!valid) throw Hdf5Error("its contacts are damaged");
-    snapshot.contacts.push_back(contact);
+    contacts.push_back(contact);
   }
+  return contacts;
 }
 
 Recording::Recording(const std::string& path) {
@@ -267,16 +269,27 @@ const std::vector<double>& Recording::channel(Channel c) const {
   return impl_->channels.at(static_cast<std::size_t>(c));
 }
 
-Snapshot Recording::frame(std::size_t index) const {
-  if (index >= frame_count()) {
-    throw RecordingError(refusal(path(), fmt::format("it has no frame {}, only {}", index, frame_count())));
+// What `read` returns for a frame that exists.
+template <typename Read>
+static auto checked_frame(const Recording& recording, std::size_t index, const Read& read) {
+  if (index >= recording.frame_count()) {
+    throw RecordingError(
+        refusal(recording.path(), fmt::format("it has no frame {}, only {}", index, recording.frame_count())));
   }
   silence_hdf5();
   try {
-    return impl_->read_frame(index);
+    return read();
   } catch (const Hdf5Error& error) {
-    throw RecordingError(refusal(path(), error.what()));
+    throw RecordingError(refusal(recording.path(), error.what()));
   }
+}
+
+Snapshot Recording::frame(std::size_t index) const {
+  return checked_frame(*this, index, [&] { return impl_->read_frame(index); });
+}
+
+std::vector<ContactPoint> Recording::contacts(std::size_t index) const {
+  return checked_frame(*this, index, [&] { return impl_->read_contacts(index); });
 }
 
 const std::vector<double>& Recording::checkpoint_times() const { return impl_->checkpoints->times(); }

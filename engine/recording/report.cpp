@@ -20,6 +20,18 @@ std::string utf8(const std::string& text) {
 
 Json vector_json(const Eigen::Vector3d& v) { return {{"x", v.x()}, {"y", v.y()}, {"z", v.z()}}; }
 
+// True or false; null where there is no judgement.
+Json judgement(Verdict verdict) {
+  if (verdict == Verdict::yes) return true;
+  if (verdict == Verdict::no) return false;
+  return nullptr;
+}
+
+std::string capture_text(const Capture& capture) {
+  const char* separator = capture.reason.empty() ? "" : ": ";
+  return fmt::format("{}{}{}", to_string(capture.verdict), separator, capture.reason);
+}
+
 std::string line(const char* label, const std::string& value) { return fmt::format("{:<15}{}\n", label, value); }
 
 std::string ending(const Recording& recording) {
@@ -56,7 +68,9 @@ Json summary_json(const Recording& recording) {
           {"time_step", statistics.time_step},
           {"evaluation", utf8(statistics.evaluation)},
           {"frames", recording.frame_count()},
-          {"captured", summary.captured},
+          {"closing_end", origin.closing_end},
+          {"captured", judgement(summary.captured)},
+          {"capture", to_string(summary.captured)},
           {"first_contact_time", summary.first_contact_time ? Json(*summary.first_contact_time) : Json()},
           {"peak_force", peak},
           {"impulse", vector_json(summary.impulse)},
@@ -77,7 +91,7 @@ std::string summary_text(const Recording& recording) {
   if (statistics.time_step > 0) {
     text += line("step", fmt::format("{:.3g} s, limited by {}", statistics.time_step, statistics.step_limit));
   }
-  text += line("captured", s.captured ? "yes" : "no: " + RunHistory(recording).why_not_captured());
+  text += line("captured", capture_text(RunHistory(recording).capture()));
   text += line("first contact", s.first_contact_time ? fmt::format("{:.4g} s", *s.first_contact_time) : "none");
   text += fmt::format("{:<15}{:>12}{:>12}{:>12}\n", "on the target", "x", "y", "z");
   const auto row = [&text](const char* label, const Eigen::Vector3d& v, const std::string& remark) {
@@ -95,7 +109,13 @@ Json findings_json(const std::vector<Finding>& findings) {
   for (const Finding& finding : findings) {
     Json cases = Json::array();
     for (const FindingCase& c : finding.cases) {
-      cases.push_back({{"name", utf8(c.name)}, {"value", c.value}, {"holds", c.holds}});
+      Json measures = Json::array();
+      for (const Measure& m : c.measures) measures.push_back({{"name", m.name}, {"unit", m.unit}, {"value", m.value}});
+      cases.push_back({{"name", utf8(c.name)},
+                       {"value", c.value},
+                       {"holds", judgement(c.verdict)},
+                       {"verdict", to_string(c.verdict)},
+                       {"measures", measures}});
     }
     list.push_back({{"id", finding.id}, {"text", finding.text}, {"rule", finding.rule}, {"cases", cases}});
   }
@@ -103,15 +123,18 @@ Json findings_json(const std::vector<Finding>& findings) {
 }
 
 std::string findings_text(const std::vector<Finding>& findings) {
-  std::size_t width = 0;
+  std::size_t width = 0, verdicts = 0;
   for (const Finding& finding : findings) {
-    for (const FindingCase& c : finding.cases) width = std::max(width, c.name.size());
+    for (const FindingCase& c : finding.cases) {
+      width = std::max(width, c.name.size());
+      verdicts = std::max(verdicts, std::string_view(to_string(c.verdict)).size());
+    }
   }
   std::string text;
   for (const Finding& finding : findings) {
     text += fmt::format("{:<4} {}\n", finding.id, finding.text);
     for (const FindingCase& c : finding.cases) {
-      text += fmt::format("       {:<{}}  {:<3}  {}\n", c.name, width, c.holds ? "yes" : "no", c.value);
+      text += fmt::format("       {:<{}}  {:<{}}  {}\n", c.name, width, to_string(c.verdict), verdicts, c.value);
     }
   }
   return text;

@@ -11,12 +11,15 @@
 namespace netpocket {
 
 // Keys: scenario, version, commit, reason, message, simulated_seconds, wall_seconds, cpu_seconds, elements,
-// coordinates, steps, time_step, evaluation, frames, captured, first_contact_time (null without contact), peak_force
-// {x, y, z, time_y}, impulse {x, y, z}, energy_error (fraction of the energy put in), averaging_window. SI units.
+// coordinates, steps, time_step, evaluation, frames, closing_end, captured (true, false, or null when it is not known),
+// capture (the same in words: see verdict.h), first_contact_time (null without contact), peak_force {x, y, z, time_y},
+// impulse {x, y, z}, energy_error (fraction of the energy put in), averaging_window. SI units.
 nlohmann::ordered_json summary_json(const Recording& recording);
 std::string summary_text(const Recording& recording);
 
-// {"findings": [{"id", "text", "rule", "cases": [{"name", "value", "holds"}]}]}
+// {"findings": [{"id", "text", "rule", "cases": [{"name", "value", "holds", "verdict", "measures"}]}]}: `holds` is
+// true, false or, where there is no judgement, null; `verdict` says it in words (verdict.h); `measures`: [{"name",
+// "unit", "value"}].
 nlohmann::ordered_json findings_json(const std::vector<Finding>& findings);
 std::string findings_text(const std::vector<Finding>& findings);
 

@@ -17,20 +17,6 @@ constexpr double kHoldingTime = 1.0;  // s
 
 double magnitude(double value) { return std::abs(value); }
 
-// Joins neighbours of equal sign.
-std::vector<ContactEpisode> joined(const std::vector<ContactEpisode>& episodes) {
-  std::vector<ContactEpisode> result;
-  for (const ContactEpisode& episode : episodes) {
-    const bool same_sign = !result.empty() && (result.back().impulse > 0) == (episode.impulse > 0);
-    if (same_sign) {
-      result.back().impulse += episode.impulse;
-    } else {
-      result.push_back(episode);
-    }
-  }
-  return result;
-}
-
 bool is_smaller(const ContactEpisode& a, const ContactEpisode& b) {
   return magnitude(a.impulse) < magnitude(b.impulse);
 }
@@ -114,15 +100,29 @@ std::vector<ContactEpisode> RunHistory::episodes(FrameRange range, double smalle
   std::vector<ContactEpisode> found;
   for (std::size_t i = range.first; i < range.last; ++i) {
     const double impulse = interval(i) * channel(Channel::contact_fy)[i];
-    if (impulse != 0) found.push_back({impulse, times()[i]});
+    if (impulse == 0) continue;
+    if (!found.empty() && (found.back().impulse > 0) == (impulse > 0)) {
+      found.back().impulse += impulse;
+      found.back().frames.last = i + 1;
+    } else {
+      found.push_back({impulse, times()[i], {i, i + 1}});
+    }
   }
-  found = joined(found);
   while (found.size() > 1) {
     const double largest = magnitude(std::max_element(found.begin(), found.end(), is_smaller)->impulse);
     const auto least = std::min_element(found.begin(), found.end(), is_smaller);
     if (magnitude(least->impulse) >= smallest * largest) break;
-    found.erase(least);
-    found = joined(found);
+    const bool inside = least != found.begin() && least + 1 != found.end();
+    if (!inside) {
+      found.erase(least);
+      continue;
+    }
+    // Its neighbours have the other sign, and each weighs more than it does.
+    ContactEpisode& before = *(least - 1);
+    const ContactEpisode& after = *(least + 1);
+    before.impulse += least->impulse + after.impulse;
+    before.frames.last = after.frames.last;
+    found.erase(least, least + 2);
   }
   return found;
 }
@@ -142,20 +142,30 @@ Eigen::Vector3d RunHistory::excursion(Body body, FrameRange range, std::size_t o
   return largest;
 }
 
-std::string RunHistory::why_not_captured() const {
-  if (std::isnan(closing_end())) return "the recording does not say when the closing ends";
-  if (times().empty() || end() < closing_end() + kHoldingTime - kTimeTolerance) {
-    return fmt::format("run ends at t = {:.4g} s, before {:.4g} s", end(), closing_end() + kHoldingTime);
-  }
+std::string RunHistory::divergence() const {
+  const RunStatus& status = recording_->status();
+  if (status.reason != RunReason::diverged) return "";
+  return fmt::format("the run diverged at t = {:.4g} s", status.time);
+}
+
+Capture RunHistory::capture() const {
+  if (const std::string diverged = divergence(); !diverged.empty()) return {Verdict::diverged, diverged};
+  if (std::isnan(closing_end())) return {Verdict::unknown, "the recording does not say when the closing ends"};
   const auto& inside = channel(Channel::target_inside);
   const auto& length = channel(Channel::closing_length);
   const auto& commanded = channel(Channel::commanded_length);
   for (std::size_t i = frames_from(closing_end()).first; i < times().size(); ++i) {
-    if (inside[i] != 1) return fmt::format("target outside the pocket at t = {:.4g} s", times()[i]);
+    if (inside[i] != 1) return {Verdict::no, fmt::format("target outside the pocket at t = {:.4g} s", times()[i])};
     const double allowed = std::max(1.05 * commanded[i], 0.5 * length[0]);
-    if (!(length[i] <= allowed)) return fmt::format("mouth open by {:.3g} m at t = {:.4g} s", length[i], times()[i]);
+    if (!(length[i] <= allowed)) {
+      return {Verdict::no, fmt::format("mouth open by {:.3g} m at t = {:.4g} s", length[i], times()[i])};
+    }
   }
-  return "";
+  if (times().empty() || end() < closing_end() + kHoldingTime - kTimeTolerance) {
+    return {Verdict::unknown,
+            fmt::format("run ends at t = {:.4g} s, before {:.4g} s", end(), closing_end() + kHoldingTime)};
+  }
+  return {Verdict::yes, ""};
 }
 
 }  // namespace netpocket

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/recording/recording.h"
+#include "engine/recording/verdict.h"
 
 namespace netpocket {
 
@@ -29,6 +30,13 @@ struct Peak {
 struct ContactEpisode {
   double impulse = 0;  // N s
   double start = 0;
+  FrameRange frames{};  // whose intervals make it up
+};
+
+// `reason` says why the verdict is not yes; empty when it is.
+struct Capture {
+  Verdict verdict = Verdict::unknown;
+  std::string reason;
 };
 
 class RunHistory {
@@ -64,23 +72,28 @@ class RunHistory {
   bool in_contact(std::size_t frame) const;
   std::optional<double> first_contact() const;
 
-  // Episodes of F_y. Those whose impulse is below `smallest` of the largest are merged into their neighbours.
+  // Episodes of F_y. Those whose impulse is below `smallest` of the largest are merged into the two between which they
+  // lie, which become one; before the first and after the last they are left out.
   std::vector<ContactEpisode> episodes(FrameRange range, double smallest) const;
 
   Eigen::Vector3d position(Body body, std::size_t frame) const;
   // Largest |position - position at `origin`|, by component.
   Eigen::Vector3d excursion(Body body, FrameRange range, std::size_t origin) const;
 
-  // Why the run does not count as a capture; empty when it does.
-  std::string why_not_captured() const;
+  // Whether the run counts as a capture.
+  Capture capture() const;
+  // "diverged at t = 3.2 s", or empty.
+  std::string divergence() const;
 
- private:
+  const Recording& recording() const { return *recording_; }
+  // s, from the frame before; the recorded force is the mean over it.
   double interval(std::size_t frame) const;
 
+ private:
   const Recording* recording_;
 };
 
-// The rule of why_not_captured(), in words.
+// The rule of capture(), in words.
 extern const char* const kCaptureRule;
 
 }  // namespace netpocket

@@ -24,7 +24,7 @@ RunSummary summarize(const Recording& recording) {
   const RunHistory run(recording);
   const Peak peak_y = run.peak(Channel::contact_fy, run.all());
   RunSummary summary;
-  summary.captured = run.why_not_captured().empty();
+  summary.captured = run.capture().verdict;
   summary.first_contact_time = run.first_contact();
   summary.peak_force = {run.peak(Channel::contact_fx, run.all()).value, peak_y.value,
                         run.peak(Channel::contact_fz, run.all()).value};

@@ -6,12 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "engine/recording/verdict.h"
+
 namespace netpocket {
 
 class Recording;
 
 struct RunSummary {
-  bool captured = false;                     // the target is inside the closed pocket at the end, and never left it
+  Verdict captured = Verdict::unknown;       // the target is inside the closed pocket at the end, and never left it
   std::optional<double> first_contact_time;  // s
   Eigen::Vector3d peak_force{0, 0, 0};       // N, largest |component| of the contact force on the target, with its sign
   double peak_time_y = 0;                    // s, when |F_y| peaks
@@ -22,10 +24,20 @@ struct RunSummary {
 
 RunSummary summarize(const Recording& recording);
 
+// A number behind a verdict: what an ensemble of runs tells the spread of.
+struct Measure {
+  std::string name;
+  std::string unit;
+  double value = 0;
+};
+
 struct FindingCase {
   std::string name;   // scenario name
   std::string value;  // what was found, with unit
-  bool holds = false;
+  Verdict verdict = Verdict::unknown;
+  std::vector<Measure> measures{};
+
+  bool holds() const { return verdict == Verdict::yes; }
 };
 
 struct Finding {
@@ -36,7 +48,8 @@ struct Finding {
 };
 
 // F1-F11 of the paper (Tang et al. 2023, section 4.2 and conclusions) for these runs, by the rules stated in each.
-// Findings that compare runs (F3, F4, F5) hold or fail for all runs together.
+// Findings that compare runs (F3, F4, F5) hold or fail for all runs together. All findings of a run that diverged say
+// so.
 std::vector<Finding> evaluate_findings(const std::vector<const Recording*>& recordings);
 
 }  // namespace netpocket

@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
+#include "engine/study/ensemble_report.h"
 #include "engine/study/report_text.h"
 
 namespace netpocket {
@@ -9,20 +13,29 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string yes_no(const Json& finding_case) { return finding_case["holds"].get<bool>() ? "yes" : "no"; }
+std::string verdict(const Json& finding_case) { return finding_case["verdict"].get<std::string>(); }
 
 // How often a finding holds in all variants of the points after the first.
 struct Robustness {
   std::size_t holds = 0;
-  std::size_t points = 0;
+  std::size_t points = 0;     // that judge it
+  std::size_t undecided = 0;  // that do not: single draws
   std::vector<std::string> fails;
 };
+
+bool is_undecided(const Json& finding) {
+  return std::ranges::all_of(finding["cases"], [](const Json& c) { return c["verdict"] == "undecided"; });
+}
 
 Robustness robustness(const std::vector<StudyRecord>& records, const std::string& id) {
   Robustness result;
   for (std::size_t i = 1; i < records.size(); ++i) {
     const Json* finding = find_finding(records[i], id);
     if (!finding) continue;
+    if (is_undecided(*finding)) {
+      ++result.undecided;
+      continue;
+    }
     ++result.points;
     if (holds_in_all_cases(*finding)) {
       ++result.holds;
@@ -30,40 +43,50 @@ Robustness robustness(const std::vector<StudyRecord>& records, const std::string
     }
     std::vector<std::string> cases;
     for (const Json& c : (*finding)["cases"]) {
-      if (!c["holds"].get<bool>()) cases.push_back(c["name"].get<std::string>());
+      if (c["holds"] != true) cases.push_back(c["name"].get<std::string>());
     }
     result.fails.push_back(fmt::format("{} ({})", point_name(records[i]), fmt::join(cases, ", ")));
   }
   return result;
 }
 
-std::string summary_table(const std::vector<StudyRecord>& records) {
+std::string robustness_cell(const Robustness& r) {
+  if (r.points == 0) return r.undecided > 0 ? "single draws" : "";
+  return fmt::format("{} of {} other points", r.holds, r.points);
+}
+
+std::string summary_table(const std::vector<StudyRecord>& records, const Ensemble& ensemble) {
   const StudyRecord& first = records.front();
   std::vector<std::string> names = {"", "the paper's statement"};
   for (const Json& run : first["runs"]) names.push_back(run["variant"].get<std::string>());
+  if (ensemble.size() > 0) names.emplace_back("draws");
   if (records.size() > 1) names.emplace_back("also at");
   std::string text = markdown_header(names);
   for (const Json& finding : first["findings"]) {
     const std::string id = finding["id"].get<std::string>();
     text += fmt::format("| {} | {} |", id, markdown_cell(finding["text"].get<std::string>()));
-    for (const Json& c : finding["cases"]) text += fmt::format(" {} |", yes_no(c));
-    const Robustness r = robustness(records, id);
-    if (records.size() > 1) text += fmt::format(" {} of {} other points |", r.holds, r.points);
+    for (const Json& c : finding["cases"]) text += fmt::format(" {} |", verdict(c));
+    if (ensemble.size() > 0) text += fmt::format(" {} |", ensemble.count_text(id));
+    if (records.size() > 1) text += fmt::format(" {} |", robustness_cell(robustness(records, id)));
     text += "\n";
   }
   return text;
 }
 
-std::string finding_section(const Study& study, const std::vector<StudyRecord>& records, const Json& finding) {
+std::string finding_section(const Study& study, const std::vector<StudyRecord>& records, const Ensemble& ensemble,
+                            const Json& finding) {
   const std::string id = finding["id"].get<std::string>();
   std::string text = fmt::format("### {} {}\n\nRule: {}.\n\n", id, finding["text"].get<std::string>(),
                                  finding["rule"].get<std::string>());
   text += markdown_header({"case", "", "found"});
   for (const Json& c : finding["cases"]) {
-    text += fmt::format("| {} | {} | {} |\n", markdown_cell(c["name"].get<std::string>()), yes_no(c),
+    text += fmt::format("| {} | {} | {} |\n", markdown_cell(c["name"].get<std::string>()), verdict(c),
                         markdown_cell(c["value"].get<std::string>()));
   }
+  if (finding.contains("draws")) text += fmt::format("\nDraws: {}.\n", finding["draws"].get<std::string>());
+  text += ensemble.section(id);
   const Robustness r = robustness(records, id);
+  if (r.undecided > 0) text += fmt::format("\nNot decided at {} of the other points: one draw each.\n", r.undecided);
   if (r.points > 0) {
     text += fmt::format("\nHolds in all cases at {} of the {} other points", r.holds, r.points);
     text += r.fails.empty() ? ".\n" : fmt::format("; not at {}.\n", fmt::join(r.fails, "; "));
@@ -112,7 +135,10 @@ std::string study_identity(const Study& study) {
   return point_identity(scenarios, "");
 }
 
-std::string findings_report(const Study& study, const std::vector<StudyRecord>& records) {
+std::string findings_report(const Study& study, const std::vector<StudyRecord>& all) {
+  const Ensemble ensemble(all);
+  std::vector<StudyRecord> records;
+  std::ranges::copy_if(all, std::back_inserter(records), [](const StudyRecord& r) { return r["draw"] == 0; });
   const auto was_run = [](const StudyRecord& record) { return !record["runs"].empty(); };
   if (records.empty() || !was_run(records.front()))
     return fmt::format("# {}\n\nThe first point was not run.\n", study.name);
@@ -120,9 +146,10 @@ std::string findings_report(const Study& study, const std::vector<StudyRecord>& 
   text += study.description + "\n\n";
   text += fmt::format("Written by `netpocket study {}.toml --report`; scenarios {}.\n\n", study.file,
                       study_identity(study));
-  text += summary_table(records);
+  ensemble.decide(records.front());
+  text += summary_table(records, ensemble);
   text += "\n## One by one\n\n";
-  for (const Json& finding : records.front()["findings"]) text += finding_section(study, records, finding);
+  for (const Json& finding : records.front()["findings"]) text += finding_section(study, records, ensemble, finding);
   text += "## Points\n\n";
   text += points_table(records);
   return text;

@@ -60,7 +60,7 @@ class StudyReader {
   StudyResult read(const toml::table& file) {
     study_.name = study_.file = std::filesystem::path(path_).stem().string();
     check_names(file, {"name", "description", "base", "sampling", "samples", "seed", "keep_recordings", "report", "set",
-                       "vary", "point", "variant", "remarks"});
+                       "vary", "point", "variant", "ensemble", "remarks"});
     read_text(file, "name", study_.name);
     read_text(file, "description", study_.description);
     read_base(file);
@@ -73,6 +73,7 @@ class StudyReader {
     study_.places = read_named(file, "point", scenario);
     study_.variants = read_named(file, "variant", scenario);
     if (const toml::table* vary = table(file, "vary")) read_axes(*vary, "", scenario);
+    if (const toml::table* ensemble = table(file, "ensemble")) read_ensemble(*ensemble, scenario);
     read_remarks(file);
     if (const toml::table* report = table(file, "report")) read_report(*report);
     if (found_.ok()) check_size();
@@ -252,6 +253,19 @@ class StudyReader {
     study_.axes.push_back(std::move(axis));
   }
 
+  void read_ensemble(const toml::table& ensemble, const Scenario& scenario) {
+    check_names(ensemble, {"runs", "perturbation"});
+    if (!ensemble.contains("runs")) report(ensemble, "ensemble.runs", "says how many draws to make, e.g. 16");
+    study_.ensemble.runs =
+        static_cast<int>(read_whole(ensemble, "runs", 2, static_cast<std::int64_t>(kMostStudyPoints)).value_or(0));
+    const toml::node* node = ensemble.get("perturbation");
+    if (!node) return;
+    const auto value = node->value<double>();
+    if (!node->is_number() || !(*value > 0)) return report(*node, "perturbation", "expects a length in m above 0");
+    study_.ensemble.perturbation = *value;
+    try_setting(*node, scenario, {"solver.perturbation", value_text(*node)});
+  }
+
   void read_remarks(const toml::table& file) {
     const toml::table* remarks = table(file, "remarks");
     if (!remarks) return;
@@ -291,7 +305,7 @@ class StudyReader {
         points *= axis.values.empty() ? axis.steps : static_cast<double>(axis.values.size());
       }
     }
-    points *= static_cast<double>(study_.places.size());
+    points = points * static_cast<double>(study_.places.size()) + study_.ensemble.runs;
     if (points > static_cast<double>(kMostStudyPoints)) {
       report(1, "vary", fmt::format("{:.3g} points are more than {}", points, kMostStudyPoints));
     }

@@ -30,7 +30,7 @@ const StudyRecord* find_finding(const StudyRecord& record, const std::string& id
 
 bool holds_in_all_cases(const StudyRecord& finding) {
   const auto& cases = finding["cases"];
-  return std::all_of(cases.begin(), cases.end(), [](const StudyRecord& c) { return c["holds"].get<bool>(); });
+  return std::all_of(cases.begin(), cases.end(), [](const StudyRecord& c) { return c["holds"] == true; });
 }
 
 std::vector<std::string> held_findings(const StudyRecord& record) {

@@ -26,7 +26,7 @@ Points run_points(const std::vector<StudyRecord>& records) {
 std::pair<std::size_t, std::size_t> merit(const StudyRecord& record) {
   std::size_t cases = 0;
   for (const Json& finding : record["findings"]) {
-    for (const Json& c : finding["cases"]) cases += c["holds"].get<bool>() ? 1 : 0;
+    for (const Json& c : finding["cases"]) cases += c["holds"] == true ? 1 : 0;
   }
   return {held_findings(record).size(), cases};
 }
@@ -78,7 +78,7 @@ std::string values_cell(const StudyRecord& point, const std::string& id) {
   if (!finding) return "";
   std::vector<std::string> values;
   for (const Json& c : (*finding)["cases"]) {
-    values.push_back(fmt::format("{}: {}, {}", c["name"].get<std::string>(), c["holds"].get<bool>() ? "yes" : "no",
+    values.push_back(fmt::format("{}: {}, {}", c["name"].get<std::string>(), c["verdict"].get<std::string>(),
                                  c["value"].get<std::string>()));
   }
   return markdown_cell(fmt::format("{}", fmt::join(values, "<br>")));

@@ -34,6 +34,13 @@ enum class Sampling {
   halton,  // points spread evenly over all axes at once: Halton, Numer. Math. 2 (1960) 84
 };
 
+// Draws of the first point: its runs again with every free node displaced at the start by up to `perturbation` m, at
+// random with the seeds 1 to `runs`. They tell what depends on round-off.
+struct StudyEnsemble {
+  int runs = 0;
+  double perturbation = 1e-6;
+};
+
 // What --report writes.
 struct StudyReport {
   bool of_search = false;         // the best of many points; otherwise the findings of the first point
@@ -54,6 +61,7 @@ struct Study {
   int samples = 0;        // halton: points for each place
   std::int64_t seed = 1;  // halton: of the shift
   bool keep_recordings = false;
+  StudyEnsemble ensemble;
   StudyReport report;
   std::map<std::string, std::string> remarks;  // by finding ("F5"), for the report
 };
@@ -61,9 +69,10 @@ struct Study {
 struct StudyPoint {
   std::string place;              // name of the place it belongs to; empty when the study has only one
   std::vector<Setting> settings;  // all that differ from the base, variants excepted; a later one counts
+  int draw = 0;                   // 1, 2, ...: of the ensemble
 };
 
-// All points, in an order that depends on the study only.
+// All points, in an order that depends on the study only; those of the ensemble come last.
 std::vector<StudyPoint> study_points(const Study& study);
 
 // What one variant of a point runs; diagnostics say why it cannot (check_scenario).

@@ -104,6 +104,13 @@ std::vector<StudyPoint> study_points(const Study& study) {
       points.push_back(std::move(point));
     }
   }
+  for (int draw = 1; draw <= study.ensemble.runs; ++draw) {
+    StudyPoint point = points.front();
+    point.draw = draw;
+    point.settings.push_back({"solver.perturbation", fmt::format("{}", study.ensemble.perturbation)});
+    point.settings.push_back({"solver.seed", fmt::format("{}", draw)});
+    points.push_back(std::move(point));
+  }
   return points;
 }
 

@@ -23,7 +23,11 @@ std::uint64_t hash(std::string_view text) {
 StudyRecord head(std::size_t index, const StudyPoint& point, const std::string& identity) {
   Json settings = Json::object();
   for (const Setting& setting : point.settings) settings[setting.key] = setting.value;
-  return {{"point", index + 1}, {"place", point.place}, {"settings", settings}, {"identity", identity}};
+  return {{"point", index + 1},
+          {"place", point.place},
+          {"draw", point.draw},
+          {"settings", settings},
+          {"identity", identity}};
 }
 
 // As RFC 4180 has it.
@@ -64,7 +68,7 @@ struct Column {
 
 constexpr Column kColumns[] = {
     {"ended", "/reason"},
-    {"captured", "/captured"},
+    {"captured", "/capture"},
     {"first_contact_s", "/first_contact_time"},
     {"peak_fx_N", "/peak_force/x"},
     {"peak_fy_N", "/peak_force/y"},
@@ -89,7 +93,7 @@ std::vector<std::string> finding_ids(const std::vector<StudyRecord>& records) {
 }
 
 std::vector<std::string> first_cells(const StudyRecord& record, const std::vector<std::string>& keys) {
-  std::vector<std::string> cells = {record["point"].dump(), csv_cell(record["place"])};
+  std::vector<std::string> cells = {record["point"].dump(), csv_cell(record["place"]), record["draw"].dump()};
   for (const std::string& key : keys) {
     cells.push_back(record["settings"].contains(key) ? csv_cell(record["settings"][key]) : "");
   }
@@ -144,7 +148,7 @@ std::optional<StudyRecord> load_record(const std::string& path, const std::strin
 std::string study_csv(const Study& study, const std::vector<StudyRecord>& records) {
   const auto keys = varied_keys(study_points(study));
   const auto ids = finding_ids(records);
-  std::vector<std::string> header = {"point", "place"};
+  std::vector<std::string> header = {"point", "place", "draw"};
   for (const std::string& key : keys) header.push_back(csv_cell(key));
   header.insert(header.end(), {"variant", "refused"});
   for (const Column& column : kColumns) header.emplace_back(column.name);
@@ -163,7 +167,7 @@ std::string study_csv(const Study& study, const std::vector<StudyRecord>& record
       cells.insert(cells.end(), {csv_cell(run["variant"]), ""});
       for (const Column& column : kColumns) cells.push_back(csv_cell(run.at(Json::json_pointer(column.pointer))));
       for (const Json& finding : record["findings"]) {
-        cells.push_back(csv_cell(finding["cases"][i]["holds"]));
+        cells.push_back(csv_cell(finding["cases"][i]["verdict"]));
         cells.push_back(csv_cell(finding["cases"][i]["value"]));
       }
       text += csv_line(cells);

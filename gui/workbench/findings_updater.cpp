@@ -17,8 +17,9 @@ FindingsResult evaluate(const std::vector<std::string>& paths, bool running) {
     std::vector<const Recording*> pointers;
     for (const Recording& recording : recordings) pointers.push_back(&recording);
     result.findings = evaluate_findings(pointers);
-    result.why_not = RunHistory(recordings.front()).why_not_captured();
-    result.captured = result.why_not.empty();
+    const Capture capture = RunHistory(recordings.front()).capture();
+    result.why_not = capture.reason;
+    result.captured = capture.verdict;
   } catch (const std::exception& error) {
     result.failure = error.what();
   }

@@ -17,7 +17,7 @@ namespace netpocket {
 
 struct FindingsResult {
   std::vector<Finding> findings;
-  bool captured = false;
+  Verdict captured = Verdict::unknown;
   std::string why_not;  // one sentence, when the shown run does not count as a capture
   bool running = false;
   std::string failure;  // why nothing could be evaluated

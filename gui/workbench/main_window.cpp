@@ -190,9 +190,8 @@ void MainWindow::connect_panels() {
     findings_->set_findings(result.findings, result.running);
     const bool known = !result.findings.empty();
     // A run that goes on may still capture the target.
-    findings_->set_capture(!known || (result.running && !result.captured) ? CaptureState::unknown
-                           : result.captured                              ? CaptureState::captured
-                                                                          : CaptureState::not_captured,
+    const bool open = !known || (result.running && result.captured != Verdict::yes);
+    findings_->set_capture(open ? Verdict::unknown : result.captured,
                            QString::fromStdString(known ? result.why_not : result.failure));
   });
 }

@@ -25,6 +25,7 @@ constexpr const char* kStyle = R"(
   td.number { font-variant-numeric: tabular-nums; }
   .holds { color: #00664a; font-weight: bold; }
   .fails { color: #a33b00; font-weight: bold; }
+  .open { color: #5a606b; font-weight: bold; }
   .rule { color: #5a606b; font-size: 0.8rem; }
   figure { margin: 1.4rem 0; }
   img, svg, video { max-width: 100%; height: auto; display: block; }
@@ -64,7 +65,7 @@ std::string ending(const Recording& recording) {
 const std::vector<KeyFigure>& key_figures() {
   static const std::vector<KeyFigure> figures = {
       {"Run", [](const auto& r, const auto&) { return ending(r); }},
-      {"Target captured", [](const auto&, const auto& s) { return std::string(s.captured ? "yes" : "no"); }},
+      {"Target captured", [](const auto&, const auto& s) { return std::string(to_string(s.captured)); }},
       {"First contact",
        [](const auto&, const auto& s) {
          return s.first_contact_time ? fmt::format("{:.4g} s", *s.first_contact_time) : std::string("none");
@@ -104,14 +105,19 @@ std::string summary_table(const Recordings& recordings) {
   return fmt::format("<table>\n<tr><th></th>{}</tr>\n{}</table>\n", header_cells(recordings), rows);
 }
 
+const char* verdict_class(Verdict verdict) {
+  if (verdict == Verdict::yes) return "holds";
+  return verdict == Verdict::no ? "fails" : "open";
+}
+
 std::string findings_table(const Recordings& recordings) {
   std::string rows;
   for (const auto& finding : evaluate_findings(recordings)) {
     rows += fmt::format("<tr><th scope=\"row\">{}</th><td>{}<div class=\"rule\">{}</div></td>", html_text(finding.id),
                         html_text(finding.text), html_text(finding.rule));
     for (const auto& found : finding.cases) {
-      rows += fmt::format("<td><span class=\"{}\">{}</span><br>{}</td>", found.holds ? "holds" : "fails",
-                          found.holds ? "yes" : "no", html_text(found.value));
+      rows += fmt::format("<td><span class=\"{}\">{}</span><br>{}</td>", verdict_class(found.verdict),
+                          to_string(found.verdict), html_text(found.value));
     }
     rows += "</tr>\n";
   }

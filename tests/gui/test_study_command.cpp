@@ -81,7 +81,7 @@ TEST(Study, InterruptedItKeepsWhatIsDoneAndGoesOn) {
   EXPECT_EQ(result.exit_code, 130);
   EXPECT_TRUE(contains(result.out, "1 of 2 points done")) << result.out;
   EXPECT_TRUE(contains(result.error, "--resume goes on")) << result.error;
-  EXPECT_TRUE(contains(content(folder.file("out/study.csv")), "\n1,,0.02,"));
+  EXPECT_TRUE(contains(content(folder.file("out/study.csv")), "\n1,,0,0.02,"));
   EXPECT_FALSE(std::filesystem::exists(folder.file("out/runs")));
 }
 
@@ -93,7 +93,7 @@ TEST(Study, WritesAReport) {
       run_program({"study", study, "-o", folder.file("out"), "--report", folder.file("F.md"), "--quiet"});
   EXPECT_EQ(result.exit_code, 0) << result.error;
   const std::string report = content(folder.file("F.md"));
-  EXPECT_TRUE(contains(report, "| F11 | The target stays captured. | no | 0 of 1 other points |")) << report;
+  EXPECT_TRUE(contains(report, "| F11 | The target stays captured. | not known | 0 of 1 other points |")) << report;
   EXPECT_TRUE(contains(report, "`solver.safety = 0.4`")) << report;
 }
 

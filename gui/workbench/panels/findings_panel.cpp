@@ -23,9 +23,6 @@ constexpr int kRowPadding = 8;  // pixels
 
 enum Column { kMark, kStatement, kRun, kValue, kColumns };
 
-// F3, F4 and F5 judge how runs with different closing times differ.
-bool compares_runs(const Finding& finding) { return finding.id == "F3" || finding.id == "F4" || finding.id == "F5"; }
-
 Glyph glyph(FindingMark mark) {
   if (mark == FindingMark::pending) return Glyph::pending;
   return mark == FindingMark::yes ? Glyph::yes : Glyph::no;
@@ -43,10 +40,9 @@ QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
 
 }  // namespace
 
-FindingMark finding_mark(const Finding& finding, const FindingCase& finding_case, bool running) {
-  if (finding_case.holds) return FindingMark::yes;
-  const bool undecided = running || (compares_runs(finding) && finding.cases.size() < 2);
-  return undecided ? FindingMark::pending : FindingMark::no;
+FindingMark finding_mark(const FindingCase& finding_case, bool running) {
+  if (finding_case.verdict == Verdict::yes) return FindingMark::yes;
+  return finding_case.verdict == Verdict::no && !running ? FindingMark::no : FindingMark::pending;
 }
 
 FindingsPanel::FindingsPanel(QWidget* parent)
@@ -102,7 +98,7 @@ FindingsPanel::FindingsPanel(QWidget* parent)
   layout->addLayout(bar);
   layout->addWidget(empty_, 1);
   layout->addWidget(table_, 1);
-  set_capture(CaptureState::unknown, {});
+  set_capture(Verdict::unknown, {});
   fill();
 }
 
@@ -112,8 +108,8 @@ void FindingsPanel::set_findings(std::vector<Finding> findings, bool running) {
   fill();
 }
 
-void FindingsPanel::set_capture(CaptureState state, const QString& detail) {
-  capture_state_ = state;
+void FindingsPanel::set_capture(Verdict captured, const QString& detail) {
+  captured_ = captured;
   capture_detail_ = detail;
   show_capture();
 }
@@ -121,11 +117,14 @@ void FindingsPanel::set_capture(CaptureState state, const QString& detail) {
 void FindingsPanel::show_capture() {
   QString headline = tr("Capture not decided yet");
   Tone tone = Tone::muted;
-  if (capture_state_ == CaptureState::captured) {
+  if (captured_ == Verdict::yes) {
     headline = tr("Captured");
     tone = Tone::good;
-  } else if (capture_state_ == CaptureState::not_captured) {
+  } else if (captured_ == Verdict::no) {
     headline = tr("Not captured");
+    tone = Tone::bad;
+  } else if (captured_ == Verdict::diverged) {
+    headline = tr("Diverged");
     tone = Tone::bad;
   }
   const QString detail = capture_detail_.isEmpty() ? QString() : ": " + capture_detail_.toHtmlEscaped();
@@ -162,10 +161,9 @@ void FindingsPanel::add_rows(const Finding& finding) {
 }
 
 void FindingsPanel::add_case(int row, const Finding& finding, const FindingCase& finding_case) {
-  const FindingMark mark = finding_mark(finding, finding_case, running_);
-  const QString word = mark == FindingMark::pending ? tr("not decided")
-                       : mark == FindingMark::yes   ? tr("yes")
-                                                    : tr("no");
+  const FindingMark mark = finding_mark(finding_case, running_);
+  const bool open = running_ && mark == FindingMark::pending;
+  const QString word = open ? tr("not decided yet") : QString(to_string(finding_case.verdict));
   const QString rule =
       tr("<p><b>%1: %2</b></p><p>Rule: %3</p>").arg(text(finding.id), word, text(finding.rule).toHtmlEscaped());
   const bool first = &finding_case == &finding.cases.front();
@@ -189,7 +187,7 @@ void FindingsPanel::add_case(int row, const Finding& finding, const FindingCase&
 void FindingsPanel::show_counts() {
   int holding = 0;
   for (const Finding& finding : findings_) {
-    holding += std::all_of(finding.cases.begin(), finding.cases.end(), [](const auto& c) { return c.holds; }) ? 1 : 0;
+    holding += std::all_of(finding.cases.begin(), finding.cases.end(), [](const auto& c) { return c.holds(); }) ? 1 : 0;
   }
   const int all = static_cast<int>(findings_.size());
   counts_->setText(all == 0   ? QString()

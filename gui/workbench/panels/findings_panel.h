@@ -14,13 +14,11 @@ class QToolButton;
 
 namespace netpocket {
 
-enum class CaptureState { unknown, captured, not_captured };
-
 // What is known of a finding for one run.
 enum class FindingMark { yes, no, pending };
 
-// Pending: does not hold yet in a run that goes on, or compares runs and there is only one.
-FindingMark finding_mark(const Finding& finding, const FindingCase& finding_case, bool running);
+// Pending: there is no judgement (verdict.h), or it does not hold yet in a run that goes on.
+FindingMark finding_mark(const FindingCase& finding_case, bool running);
 
 class FindingsPanel : public QWidget {
   Q_OBJECT
@@ -32,7 +30,7 @@ class FindingsPanel : public QWidget {
   const std::vector<Finding>& findings() const { return findings_; }
 
   // The line on top; `detail` is one short sentence, e.g. since when or why not.
-  void set_capture(CaptureState state, const QString& detail);
+  void set_capture(Verdict captured, const QString& detail);
 
   // As text, or as JSON when the path ends so. Why not, when it fails.
   [[nodiscard]] std::optional<QString> export_findings(const QString& path) const;
@@ -58,7 +56,7 @@ class FindingsPanel : public QWidget {
 
   std::vector<Finding> findings_;
   bool running_ = false;
-  CaptureState capture_state_ = CaptureState::unknown;
+  Verdict captured_ = Verdict::unknown;
   QString capture_detail_;
   QLabel* capture_;
   QLabel* counts_;

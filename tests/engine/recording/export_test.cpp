@@ -93,7 +93,7 @@ TEST(Summary, ComputesPeaksImpulsesAndEnergyError) {
   EXPECT_EQ(summary.impulse, Eigen::Vector3d(-1.5, -1, 2));
   EXPECT_DOUBLE_EQ(summary.energy_error, 0.04 / (5 + 3));
   EXPECT_EQ(summary.averaging_window, 0.5);
-  EXPECT_FALSE(summary.captured);
+  EXPECT_EQ(summary.captured, Verdict::unknown);
 }
 
 TEST(Summary, HasTheDocumentedKeys) {

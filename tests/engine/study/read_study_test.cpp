@@ -32,6 +32,9 @@ name = "sphere"
 [[variant]]
 name = "slow"
 closing.duration = 10
+[ensemble]
+runs = 16
+perturbation = 1e-7
 [remarks]
 F5 = "why"
 [report]
@@ -59,6 +62,8 @@ show = ["F5", "F10"]
   EXPECT_EQ(study.places[1].name, "sphere");
   ASSERT_EQ(study.variants.size(), 1u);
   EXPECT_EQ(study.variants[0].settings[0], (Setting{"closing.duration", "10"}));
+  EXPECT_EQ(study.ensemble.runs, 16);
+  EXPECT_EQ(study.ensemble.perturbation, 1e-7);
   EXPECT_EQ(study.remarks.at("F5"), "why");
   EXPECT_TRUE(study.report.of_search);
   EXPECT_EQ(study.report.best, 3);
@@ -92,6 +97,12 @@ TEST(ReadStudy, SaysWhatIsWrong) {
       {"[variant]\nname = \"a\"", "variant: is a list of tables: write [[variant]]"},
       {"[set]\nnet.diameter = 4", "study.toml:3: net.diameter: must be >= 1e-5"},
       {"vary = 3", "vary: is a table: write [vary]"},
+      {"[ensemble]\nseeds = 16", "study.toml:3: seeds: is not a key of a study; these are: runs, perturbation"},
+      {"[ensemble]\nperturbation = 1e-6", "ensemble.runs: says how many draws to make, e.g. 16"},
+      {"[ensemble]\nruns = 1", "study.toml:3: runs: expects a whole number from 2"},
+      {"[ensemble]\nruns = 16\nperturbation = 0", "study.toml:4: perturbation: expects a length in m above 0"},
+      {"[ensemble]\nruns = 16\nperturbation = \"small\"", "study.toml:4: perturbation: expects a length in m above 0"},
+      {"[ensemble]\nruns = 16\nperturbation = 0.02", "study.toml:4: solver.perturbation: must be"},
       {"[vary", "study.toml:2: "},
   };
   for (const auto& c : cases) {

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "engine/study/findings_report.h"
@@ -16,18 +17,16 @@ Json finding(const std::string& id, bool first_holds, bool second_holds) {
           {"text", "Something | is so."},
           {"rule", "it is"},
           {"cases",
-           {{{"name", "slow"}, {"value", "1 N"}, {"holds", first_holds}},
-            {{"name", "fast"}, {"value", "2 N"}, {"holds", second_holds}}}}};
+           {{{"name", "slow"}, {"value", "1 N"}, {"holds", first_holds}, {"verdict", first_holds ? "yes" : "no"}},
+            {{"name", "fast"}, {"value", "2 N"}, {"holds", second_holds}, {"verdict", second_holds ? "yes" : "no"}}}}};
 }
 
 StudyRecord record(int point, const std::string& place, const Json& findings) {
   const Json run = {
       {"variant", "slow"}, {"reason", "finished"}, {"peak_force", {{"y", -12.5}}}, {"first_contact_time", nullptr}};
-  return {{"point", point},
-          {"place", place},
-          {"settings", {{"target.radius", "4"}}},
-          {"refused", ""},
-          {"runs", Json::array({run})},
+  return {{"point", point},      {"place", place},
+          {"draw", 0},           {"settings", {{"target.radius", "4"}}},
+          {"refused", ""},       {"runs", Json::array({run})},
           {"findings", findings}};
 }
 
@@ -51,6 +50,67 @@ TEST(FindingsReport, TellsValuesRobustnessAndRemarks) {
   EXPECT_TRUE(contains(text, "Most likely because.")) << text;
   EXPECT_TRUE(contains(text, "| mesh | `target.radius = 4` | -12.5 | none | 1: F2 |")) << text;
   EXPECT_TRUE(contains(text, study_identity(study))) << text;
+}
+
+// F3 of a judged point and of draws: one closing in 10 s with peaks about 100 N, one in 5 s with peaks about `fast` N.
+StudyRecord draw(int number, double fast) {
+  const double slow = 100 + number % 4, swift = fast + number % 3;
+  const auto run = [](const char* variant, double closing_end, double peak) {
+    return fmt::format(R"({{"variant": "{}", "reason": "finished", "closing_end": {}, "peak_force": {{"y": -{}}},
+                            "first_contact_time": null}})",
+                       variant, closing_end, peak);
+  };
+  const auto peak_case = [](const char* name, double peak) {
+    return fmt::format(R"({{"name": "{}", "value": "one draw decides nothing", "holds": null, "verdict": "undecided",
+                            "measures": [{{"name": "peak |F_y|", "unit": "N", "value": {}}}]}})",
+                       name, peak);
+  };
+  const char* other = number != 2 ? R"("holds": true, "verdict": "yes", "measures": [])"
+                                  : R"("holds": false, "verdict": "no", "measures": [])";
+  return Json::parse(fmt::format(
+      R"({{"point": {}, "place": "judged", "draw": {}, "settings": {{}}, "refused": "", "runs": [{}, {}], "findings": [
+             {{"id": "F3", "text": "Faster is harder.", "rule": "by draws", "cases": [{}, {}]}},
+             {{"id": "F4", "text": "Something is so.", "rule": "it is", "cases": [{{"name": "slow", "value": "1", {}}}]}}
+         ]}})",
+      number + 1, number, run("slow", 10, slow), run("fast", 5, swift), peak_case("slow", slow),
+      peak_case("fast", swift), other));
+}
+
+std::vector<StudyRecord> ensemble(double fast) {
+  std::vector<StudyRecord> records;
+  for (int number = 0; number <= 6; ++number) records.push_back(draw(number, fast));
+  return records;
+}
+
+TEST(FindingsReport, DrawsDecideF3AndTellTheSpreadOfOthers) {
+  Study study;
+  study.places = {{}};
+  study.variants = {{}};
+  std::vector<StudyRecord> records = ensemble(200);
+  StudyRecord other = draw(0, 200);
+  other["place"] = "half step";
+  records.push_back(other);
+  const std::string text = findings_report(study, records);
+  EXPECT_TRUE(contains(text, "| F3 | Faster is harder. | yes | yes | decided by 6 | single draws |")) << text;
+  EXPECT_TRUE(contains(text, "| F4 | Something is so. | yes | 5 of 6 | 1 of 1 other points |")) << text;
+  EXPECT_TRUE(contains(text, "6 draws from 200 to 202")) << text;
+  EXPECT_TRUE(contains(text, "| slow | yes | peak \\|F_y\\| 100 N in the run without displacements |")) << text;
+  EXPECT_TRUE(contains(text, "| fast |  | peak \\|F_y\\|, N | 201 | 200 | 202 |")) << text;
+  EXPECT_TRUE(contains(text, "Holds in all cases in 5 of 6 draws of the ensemble.")) << text;
+  EXPECT_FALSE(contains(text, "solver.seed")) << "draws are no points of their own";
+  EXPECT_TRUE(contains(findings_report(study, ensemble(101)), "| F3 | Faster is harder. | undecided | undecided |"));
+  EXPECT_TRUE(contains(findings_report(study, ensemble(50)), "| F3 | Faster is harder. | no | no |"));
+}
+
+TEST(FindingsReport, DrawsThatDivergeAreTold) {
+  Study study;
+  study.places = {{}};
+  study.variants = {{}};
+  std::vector<StudyRecord> records = ensemble(200);
+  records[3]["runs"][0]["reason"] = "diverged";
+  const std::string text = findings_report(study, records);
+  EXPECT_TRUE(contains(text, "decided by 5")) << text;
+  EXPECT_TRUE(contains(text, "1 more draws diverged or could not be run.")) << text;
 }
 
 TEST(FindingsReport, NeedsItsFirstPoint) {

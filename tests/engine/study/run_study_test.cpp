@@ -58,8 +58,8 @@ TEST(RunStudy, RunsEveryValidPointAndSaysWhyOthersAreNot) {
   }
   const std::string csv = folder.text("study.csv");
   EXPECT_EQ(lines(csv), 6u) << csv;  // names, two runs, one refusal, two runs
-  EXPECT_TRUE(csv.starts_with("point,place,target.radius,variant,refused,ended,captured,first_contact_s,")) << csv;
-  EXPECT_NE(csv.find("\n3,,4.4,fast,,finished,no,"), std::string::npos) << csv;
+  EXPECT_TRUE(csv.starts_with("point,place,draw,target.radius,variant,refused,ended,captured,first_contact_s,")) << csv;
+  EXPECT_NE(csv.find("\n3,,0,4.4,fast,,finished,not known,"), std::string::npos) << csv;
   const auto json = nlohmann::json::parse(folder.text("study.json"));
   EXPECT_EQ(json["points"].size(), 3u);
   EXPECT_EQ(json["rules"].size(), 11u);

@@ -42,6 +42,25 @@ TEST(StudyPoints, AStudyWithoutAxesHasItsPlaces) {
   EXPECT_EQ(study_scenario(study, points[1], {}).scenario.target.mass, 300);
 }
 
+// Draws repeat the first point with small displacements, each with a seed of its own.
+TEST(StudyPoints, AnEnsembleFollowsThePoints) {
+  Study study = with_axes({});
+  study.places = {{"a", {{"target.mass", "100"}}}, {"b", {}}};
+  study.ensemble = {.runs = 3, .perturbation = 1e-6};
+  const auto points = study_points(study);
+  ASSERT_EQ(points.size(), 5u);
+  EXPECT_EQ(points[1].draw, 0);
+  for (int draw = 1; draw <= 3; ++draw) {
+    const StudyPoint& point = points[static_cast<std::size_t>(draw) + 1];
+    EXPECT_EQ(point.draw, draw);
+    EXPECT_EQ(point.place, "a");
+    const Scenario scenario = study_scenario(study, point, {}).scenario;
+    EXPECT_EQ(scenario.target.mass, 100);
+    EXPECT_EQ(scenario.solver.perturbation, 1e-6);
+    EXPECT_EQ(scenario.solver.seed, draw);
+  }
+}
+
 TEST(StudyPoints, LogarithmicStepsHaveEqualRatios) {
   const Study study =
       with_axes({{.key = "rods.hinge_stiffness", .from = 1, .to = 1000, .steps = 4, .logarithmic = true}});

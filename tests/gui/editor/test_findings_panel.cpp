@@ -12,9 +12,9 @@ namespace netpocket {
 namespace {
 
 std::vector<Finding> findings() {
-  return {{"F1", "y is largest", "rule 1", {{"case1", "34 N", true}}},
-          {"F2", "peak early", "rule 2", {{"case1", "not yet", false}}},
-          {"F3", "faster is harder", "rule 3", {{"case1", "34 N", false}}}};
+  return {{"F1", "y is largest", "rule 1", {{"case1", "34 N", Verdict::yes}}},
+          {"F2", "peak early", "rule 2", {{"case1", "not yet", Verdict::no}}},
+          {"F3", "faster is harder", "rule 3", {{"case1", "34 N", Verdict::undecided}}}};
 }
 
 FindingMark mark(const FindingsPanel& panel, int row) {
@@ -28,7 +28,19 @@ TEST(FindingsPanel, MarksYesNoAndPending) {
   EXPECT_EQ(mark(panel, 1), FindingMark::pending) << "the run goes on";
   panel.set_findings(findings(), false);
   EXPECT_EQ(mark(panel, 1), FindingMark::no);
-  EXPECT_EQ(mark(panel, 2), FindingMark::pending) << "one run alone cannot show it";
+  EXPECT_EQ(mark(panel, 2), FindingMark::pending) << "one draw decides nothing";
+  EXPECT_TRUE(panel.table()->item(2, 1)->toolTip().contains("undecided"));
+}
+
+TEST(FindingsPanel, SaysThatARunDiverged) {
+  FindingsPanel panel;
+  panel.set_findings({{"F1", "y is largest", "rule 1", {{"case1", "the run diverged at t = 3 s", Verdict::diverged}}}},
+                     false);
+  EXPECT_EQ(mark(panel, 0), FindingMark::pending) << "neither yes nor no";
+  EXPECT_EQ(panel.table()->item(0, 0)->data(Qt::AccessibleTextRole).toString(), "diverged");
+  panel.set_capture(Verdict::diverged, "the run diverged at t = 3 s");
+  EXPECT_TRUE(panel.capture_label()->text().contains("Diverged"));
+  EXPECT_FALSE(panel.capture_label()->text().contains("aptured"));
 }
 
 TEST(FindingsPanel, RowsHaveValueAndRule) {
@@ -42,22 +54,23 @@ TEST(FindingsPanel, RowsHaveValueAndRule) {
 
 TEST(FindingsPanel, SeveralRunsHaveARowEach) {
   std::vector<Finding> list = findings();
-  for (Finding& finding : list) finding.cases.push_back({"case2", "42 N", false});
+  for (Finding& finding : list) finding.cases.push_back({"case2", "42 N", Verdict::no});
   FindingsPanel panel;
   panel.set_findings(list, false);
   EXPECT_EQ(panel.table()->rowCount(), 6);
   EXPECT_FALSE(panel.table()->isColumnHidden(2));
   EXPECT_EQ(panel.table()->rowSpan(0, 1), 2);
-  EXPECT_EQ(mark(panel, 4), FindingMark::no) << "two runs can show F3";
+  EXPECT_EQ(mark(panel, 4), FindingMark::pending) << "F3 of two single draws";
+  EXPECT_EQ(mark(panel, 3), FindingMark::no);
 }
 
 TEST(FindingsPanel, SaysWhetherTheTargetIsCaptured) {
   FindingsPanel panel;
   EXPECT_TRUE(panel.capture_label()->text().contains("not decided"));
-  panel.set_capture(CaptureState::captured, "inside until t = 20 s");
+  panel.set_capture(Verdict::yes, "inside until t = 20 s");
   EXPECT_TRUE(panel.capture_label()->text().contains("Captured"));
   EXPECT_TRUE(panel.capture_label()->text().contains("20 s"));
-  panel.set_capture(CaptureState::not_captured, "target outside at t = 3 s");
+  panel.set_capture(Verdict::no, "target outside at t = 3 s");
   EXPECT_TRUE(panel.capture_label()->text().contains("Not captured"));
 }
 

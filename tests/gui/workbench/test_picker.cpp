@@ -10,7 +10,7 @@ namespace {
 
 const QSizeF kSize(900, 700);
 
-ViewState case1_view(CameraPreset preset) {
+ViewState default_view(CameraPreset preset) {
   const PocketPreview pocket = preview_pocket(Scenario{});
   ViewState state{pocket.structure, pocket.snapshot, std::make_shared<const SceneOptions>(), {}, {}};
   state.camera = frame_view(preset, visible_points(*state.structure, *state.snapshot), kSize.width() / kSize.height());
@@ -22,7 +22,7 @@ QPointF on_screen(const ViewState& state, const Eigen::Vector3d& point) {
 }
 
 TEST(Picker, FindsTheNodeUnderTheMouse) {
-  const ViewState state = case1_view(CameraPreset::front);
+  const ViewState state = default_view(CameraPreset::front);
   const std::int32_t tip = state.structure->rod_tips[1];
   const auto pick = pick_at(state, on_screen(state, state.snapshot->positions.col(tip)) + QPointF(2, 1), kSize);
   ASSERT_TRUE(pick);
@@ -31,7 +31,7 @@ TEST(Picker, FindsTheNodeUnderTheMouse) {
 }
 
 TEST(Picker, FindsTheRodUnderTheMouse) {
-  const ViewState state = case1_view(CameraPreset::side);
+  const ViewState state = default_view(CameraPreset::side);
   for (std::size_t i = 0; i < state.structure->elements.size(); ++i) {
     const auto& element = state.structure->elements[i];
     if (element.kind != ElementKind::rod) continue;
@@ -47,26 +47,26 @@ TEST(Picker, FindsTheRodUnderTheMouse) {
 }
 
 TEST(Picker, FindsTheTargetThroughTheMouthButNotACordBehindIt) {
-  const ViewState state = case1_view(CameraPreset::front);
+  const ViewState state = default_view(CameraPreset::front);
   const auto pick = pick_at(state, on_screen(state, state.snapshot->bodies[1].position), kSize);
   ASSERT_TRUE(pick);
   ASSERT_EQ(pick->kind, PickKind::body);
   EXPECT_EQ(state.structure->bodies[static_cast<std::size_t>(pick->index)].role, BodyRole::target);
-  // The sphere's nearest point to a viewer on the axis: 4.5 m before its centre (case 1), to the tracing's tolerance.
+  // The sphere's nearest point to a viewer on the axis: 4.5 m before its centre (the default radius), to the tracing's tolerance.
   EXPECT_NEAR(pick->local.norm(), 4.5, 1e-3);
 }
 
 TEST(Picker, FindsNothingInTheVoid) {
-  const ViewState state = case1_view(CameraPreset::iso);
+  const ViewState state = default_view(CameraPreset::iso);
   EXPECT_FALSE(pick_at(state, {3, 3}, kSize));
   EXPECT_FALSE(pick_at(ViewState{}, {3, 3}, kSize));
 }
 
 TEST(Picker, DescribesWhatWasPicked) {
-  const ViewState state = case1_view(CameraPreset::front);
+  const ViewState state = default_view(CameraPreset::front);
   const auto body = describe_pick({PickKind::body, 1, 0, {0, 0, 0}}, *state.structure, *state.snapshot);
   EXPECT_EQ(body.title, "target");
-  EXPECT_EQ(body.rows.front().value, "0.000, 7.500, 0.000 m");  // scenarios/case1.toml
+  EXPECT_EQ(body.rows.front().value, "0.000, 7.500, 0.000 m");  // the default place
   const auto node =
       describe_pick({PickKind::node, state.structure->rod_tips[0], 0, {0, 0, 0}}, *state.structure, *state.snapshot);
   EXPECT_TRUE(node.detail.contains("rod")) << node.detail.toStdString();
@@ -74,7 +74,7 @@ TEST(Picker, DescribesWhatWasPicked) {
 
 // A spacecraft of more than a tonne moves by millimetres a second.
 TEST(Picker, TellsSmallVelocities) {
-  const ViewState state = case1_view(CameraPreset::front);
+  const ViewState state = default_view(CameraPreset::front);
   Snapshot snapshot = *state.snapshot;
   snapshot.bodies[0].velocity = {1e-9, -0.0019834, 2e-5};
   snapshot.bodies[0].angular_velocity = {0, 1e-12, 0};
