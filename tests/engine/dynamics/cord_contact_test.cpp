@@ -95,6 +95,8 @@ TEST_F(VerificationCordContact, CordsDoNotPassThroughEachOther) {
         advance(system, (height + 0.2) / speed, 0.9 * system.stable_step().step);
         ASSERT_FALSE(system.fault()) << *system.fault();
         highest = std::max(highest, system.position(cords.lower[4]).y() - system.position(cords.upper[4]).y());
+        // What stays where it is does not pass either.
+        EXPECT_LT(system.position(cords.upper.front()).y(), 0) << "the upper cord's end has not come down";
       }
       expect_value(
           fmt::format("lower cord's middle above the upper one's, 0.2 m later, {} m/s at {} degrees, m", speed, angle),

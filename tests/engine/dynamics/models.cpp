@@ -1,5 +1,8 @@
 #include "tests/engine/dynamics/models.h"
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
 #include <numbers>
 
 #include "engine/ancf/mass.h"
@@ -85,6 +88,13 @@ struct Coordinates {
   }
   std::vector<Eigen::Vector3d> node, gradient;
 };
+
+std::vector<Eigen::Vector3d> node_velocities(const CableSystem& system) {
+  std::vector<Eigen::Vector3d> velocities;
+  for (std::size_t i = 0; i < system.model().nodes.size(); ++i)
+    velocities.push_back(system.velocity(static_cast<int>(i)));
+  return velocities;
+}
 
 void add(Momentum& sum, const Eigen::Vector3d& arm, const Eigen::Vector3d& momentum, bool carries_linear) {
   sum.angular += arm.cross(momentum);
@@ -173,8 +183,18 @@ MomentumDrift run_and_measure_drift(CableSystem& system, double time, double lar
   const double span = time - system.time();
   const int steps = static_cast<int>(std::ceil(span / largest));
   const Momentum start = step_and_measure_momentum(system, span / steps, evaluation);
+  const std::vector<Eigen::Vector3d> before = node_velocities(system);
   for (int i = 2; i < steps; ++i) system.step(span / steps);
   const Momentum end = step_and_measure_momentum(system, span / steps, evaluation);
+  // What does not move keeps its momentum as well: the parts must have exchanged theirs.
+  const std::vector<Eigen::Vector3d> after = node_velocities(system);
+  double changed = 0, fastest = 0;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    changed = std::max(changed, (after[i] - before[i]).norm());
+    fastest = std::max(fastest, before[i].norm());
+  }
+  EXPECT_GT(changed, 0.1 * fastest) << "hardly any force acted";
+  EXPECT_GT(end.linear_scale, 0) << "nothing moves";
   return {(end.linear - start.linear).norm() / std::max(start.linear_scale, end.linear_scale),
           (end.angular - start.angular).norm() / std::max(start.angular_scale, end.angular_scale)};
 }

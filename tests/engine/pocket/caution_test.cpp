@@ -107,7 +107,9 @@ TEST(Caution, KeepsHeavyCordsOutOfTheTarget) {
   ASSERT_EQ(simulation.advance(1.9).reason, RunReason::finished);
   simulation.snapshot();
   ASSERT_EQ(simulation.advance(2).reason, RunReason::finished);
-  EXPECT_LT(simulation.snapshot().channel(Channel::penetration_max), 0.06);
+  const double deepest = simulation.snapshot().channel(Channel::penetration_max);
+  EXPECT_LT(deepest, 0.06);
+  EXPECT_GT(deepest, 0.005) << "nothing presses";
   EXPECT_NE(simulation.statistics().step_limit.find("shortened for contacts pressed deep"), std::string::npos);
 }
 

@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <fstream>
+#include <map>
 #include <set>
+#include <sstream>
 
 #include "engine/dynamics/run.h"
 #include "engine/recording/run_history.h"
@@ -45,17 +48,45 @@ class VerificationPaperCases : public test::VerificationTest {
   int count_ = 0;
 };
 
-TEST_F(VerificationPaperCases, TenFindingsHoldAndEnergyIsKept) {
+// The verdicts of scenarios/FINDINGS.md by finding: the cells of its table after the statement, one for each case.
+std::map<std::string, std::vector<std::string>> documented_verdicts() {
+  std::map<std::string, std::vector<std::string>> verdicts;
+  std::ifstream file(NETPOCKET_SOURCE_DIR "/scenarios/FINDINGS.md");
+  for (std::string line; std::getline(file, line) && line != "## One by one";) {
+    std::istringstream cells(line);
+    std::vector<std::string> row;
+    for (std::string cell; std::getline(cells, cell, '|');) {
+      if (cell.ends_with('\\')) continue;  // a bar within a cell
+      row.push_back(cell.size() > 2 ? cell.substr(1, cell.size() - 2) : "");
+    }
+    if (row.size() > 5 && row[1].starts_with("F")) verdicts[row[1]] = {row[3], row[4], row[5]};
+  }
+  return verdicts;
+}
+
+// The document says of the three scenarios what their runs show: both are to be renewed together (`./dev findings`).
+TEST_F(VerificationPaperCases, FindingsAreThoseOfTheDocumentAndEnergyIsKept) {
   std::vector<Recording> runs;
   for (const char* name : kCases) runs.push_back(record(load(name)));
   std::vector<const Recording*> pointers;
   for (const Recording& run : runs) pointers.push_back(&run);
-  std::set<std::string> holding;
+  const auto documented = documented_verdicts();
+  EXPECT_EQ(documented.size(), 11u);
   for (const Finding& finding : evaluate_findings(pointers)) {
-    if (std::ranges::all_of(finding.cases, &FindingCase::holds)) holding.insert(finding.id);
+    for (std::size_t i = 0; i < finding.cases.size(); ++i) {
+      const FindingCase& found = finding.cases[i];
+      const std::string what = fmt::format("{}, {}: {}", finding.id, found.name, found.value);
+      if (finding.id == "F3") {
+        EXPECT_EQ(found.verdict, Verdict::undecided) << what << " (single runs)";
+        continue;
+      }
+      ASSERT_TRUE(documented.contains(finding.id)) << finding.id;
+      EXPECT_EQ(to_string(found.verdict), documented.at(finding.id)[i]) << what;
+    }
+    // What does not hang on a single impact.
+    const std::set<std::string> robust = {"F1", "F4", "F8", "F9", "F11"};
+    if (robust.contains(finding.id)) EXPECT_TRUE(std::ranges::all_of(finding.cases, &FindingCase::holds)) << finding.id;
   }
-  // F5 cannot hold together with F10 in free flight: scenarios/FINDINGS.md.
-  EXPECT_EQ(holding, (std::set<std::string>{"F1", "F2", "F3", "F4", "F6", "F7", "F8", "F9", "F10", "F11"}));
   for (std::size_t i = 0; i < runs.size(); ++i) {
     expect_below(fmt::format("{}: energy error / energy put in", kCases[i]), summarize(runs[i]).energy_error, 1e-3,
                  "audit of the whole run to 20 s");
