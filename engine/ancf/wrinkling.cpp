@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/math/elementary.h"
+
 namespace netpocket {
 namespace {
 
@@ -15,11 +17,11 @@ constexpr double kLargestRatio = 1e4;
 // u in (0, pi] with sin u - u cos u = value, by Newton's method inside a bracket.
 double taut_angle(double value) {
   double low = 0, high = kPi;
-  double u = std::min(std::cbrt(3 * value), kPi);  // the leading term, u^3/3
+  double u = std::min(cube_root(3 * value), kPi);  // the leading term, u^3/3
   for (int i = 0; i < 60; ++i) {
-    const double error = std::sin(u) - u * std::cos(u) - value;
+    const double error = sine(u) - u * cosine(u) - value;
     (error > 0 ? high : low) = u;
-    const double slope = u * std::sin(u);
+    const double slope = u * sine(u);
     double next = slope > 0 ? u - error / slope : low;
     if (!(next > low && next < high)) next = 0.5 * (low + high);
     if (std::abs(next - u) <= 1e-15 * u) return next;
@@ -30,10 +32,10 @@ double taut_angle(double value) {
 
 InflatedBending wrinkled(double k) {
   const double u = taut_angle(kPi / k);
-  const double cosine = std::cos(u), doubled = std::sin(2 * u);
+  const double cos_u = cosine(u), doubled = sine(2 * u);
   InflatedBending result(0);
   result.moment = (2 * u - doubled) * k / (2 * kPi);
-  result.energy = 1 + k * k * (u * cosine * cosine + u / 2 - 0.75 * doubled) / kPi + 2 * k * cosine;
+  result.energy = 1 + k * k * (u * cos_u * cos_u + u / 2 - 0.75 * doubled) / kPi + 2 * k * cos_u;
   return result;
 }
 

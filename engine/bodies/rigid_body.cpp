@@ -5,23 +5,17 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "engine/bodies/rotation.h"
+
 namespace netpocket {
 namespace {
 
 using Eigen::Matrix3d;
-using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
 // Largest angle (rad) of a turn of the splitting, which errs by some (angle/20)^2 of the energy of spin, to and fro;
 // and the most turns of a step.
 constexpr double kLargestTurn = 0.001, kMostTurns = 64;
-
-Quaterniond turn(const Vector3d& rotation_vector) {
-  const double angle = symmetric_norm(rotation_vector);
-  if (angle == 0) return Quaterniond::Identity();
-  const Vector3d vector = (std::sin(0.5 * angle) / angle) * rotation_vector;
-  return {std::cos(0.5 * angle), vector.x(), vector.y(), vector.z()};
-}
 
 void check(double mass, const Matrix3d& inertia) {
   if (!(mass > 0 && std::isfinite(mass))) throw std::invalid_argument("a rigid body needs a positive mass");
@@ -103,11 +97,11 @@ Vector3d RigidBody::apply_inverse_inertia(const Vector3d& v) const {
 void RigidBody::turn_about_principal_axis(int axis, double dt) {
   const Vector3d momentum = state_.attitude.conjugate() * state_.angular_momentum;  // body axes
   const double rate = excess_[axis] * symmetric_dot(principal_axes_.col(axis), momentum);
-  state_.attitude = state_.attitude * turn(dt * rate * principal_axes_.col(axis));
+  state_.attitude = state_.attitude * rotation_by(dt * rate * principal_axes_.col(axis));
 }
 
 void RigidBody::turn_about_angular_momentum(double dt) {
-  state_.attitude = turn(dt * middle_inverse_inertia_ * state_.angular_momentum) * state_.attitude;
+  state_.attitude = rotation_by(dt * middle_inverse_inertia_ * state_.angular_momentum) * state_.attitude;
 }
 
 void RigidBody::update_rotation() {

@@ -7,6 +7,7 @@
 
 #include "engine/bodies/symmetric_algebra.h"
 #include "engine/bodies/triangle_mesh.h"
+#include "engine/math/elementary.h"
 
 namespace netpocket {
 namespace {
@@ -91,7 +92,7 @@ double smallest_radius(const Box& box) { return 0.5 * box.size.minCoeff(); }
 double smallest_radius(const Cylinder& cylinder) { return cylinder.radius; }
 
 double smallest_radius(const Satellite& satellite) { return 0.5 * satellite.dimensions().bus.minCoeff(); }
-double smallest_radius(const MeshShape& shape) { return std::cbrt(3 * shape.mesh->volume() / (4 * std::numbers::pi)); }
+double smallest_radius(const MeshShape& shape) { return cube_root(3 * shape.mesh->volume() / (4 * std::numbers::pi)); }
 
 // Smallest box along the body axes.
 AlignedBox3d extent(const Sphere& sphere) {
@@ -113,7 +114,7 @@ AlignedBox3d extent(const MeshShape& shape) { return shape.mesh->bounds(); }
 
 double outer_radius(const Sphere& sphere) { return sphere.radius; }
 double outer_radius(const Box& box) { return 0.5 * symmetric_norm(box.size); }
-double outer_radius(const Cylinder& cylinder) { return std::hypot(cylinder.radius, 0.5 * cylinder.length); }
+double outer_radius(const Cylinder& cylinder) { return hypotenuse(cylinder.radius, 0.5 * cylinder.length); }
 
 double outer_radius(const Satellite& satellite) {
   double radius = 0;

@@ -10,6 +10,8 @@
 #include <tuple>
 #include <utility>
 
+#include "engine/math/elementary.h"
+
 namespace netpocket {
 namespace {
 
@@ -126,7 +128,7 @@ Vector3d unit_or_zero(const Vector3d& v) {
 
 double corner_angle(const Vector3d& at, const Vector3d& b, const Vector3d& c) {
   const Vector3d u = b - at, v = c - at;
-  return std::atan2(u.cross(v).norm(), u.dot(v));
+  return arc_tangent(u.cross(v).norm(), u.dot(v));
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <numbers>
 
+#include "engine/math/power.h"
+
 namespace netpocket {
 
 double effective_modulus(const ElasticMaterial& a, const ElasticMaterial& b) {
@@ -22,8 +24,8 @@ double hertz_stiffness(double effective_modulus, double effective_radius) {
 double restitution_damping(double restitution) {
   const double c = std::clamp(restitution, 0.0, 1.0);
   if (c == 0) return std::sqrt(5.0);
-  const double logarithm = std::log(c);
-  return -std::sqrt(5.0) * logarithm / std::hypot(logarithm, std::numbers::pi);
+  const double log_c = logarithm(c);
+  return -std::sqrt(5.0) * log_c / hypotenuse(log_c, std::numbers::pi);
 }
 
 NormalLaw make_normal_law(double hertz_stiffness, double restitution, double effective_mass) {

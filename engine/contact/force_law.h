@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/math/elementary.h"
+
 namespace netpocket {
 
 struct ElasticMaterial {
@@ -56,7 +58,8 @@ inline double repulsive_normal_force(const NormalLaw& law, double penetration, d
 // Deepest penetration (m) of an undamped impact at `speed` (m/s) with effective mass `mass` (kg) on the spring K
 // (N/m^1.5): Hertz, d = 1.093362 (m v^2/K)^0.4 = (5 m v^2/(4 K))^0.4.
 inline double depth_of_impact(double mass, double stiffness, double speed) {
-  return std::pow(1.25 * mass * speed * speed / stiffness, 0.4);
+  const double root = fifth_root(1.25 * mass * speed * speed / stiffness);
+  return root * root;
 }
 
 // K (N/m^1.5) of a contact whose impact at `speed` (m/s) with effective mass `mass` (kg) lasts `duration` (s): Hertz's

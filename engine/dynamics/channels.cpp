@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/math/elementary.h"
+
 namespace netpocket {
 namespace {
 
@@ -52,7 +54,7 @@ bool target_is_inside(const Snapshot& snapshot, const Structure& structure, std:
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
     for (const std::int32_t node : nodes) {
       const Eigen::Vector3d p = to_craft(snapshot.positions.col(node));
-      sum += Eigen::Vector2d(std::hypot(p.x(), p.z()), p.y());
+      sum += Eigen::Vector2d(hypotenuse(p.x(), p.z()), p.y());
     }
     return sum / static_cast<double>(nodes.size());
   };
@@ -60,7 +62,7 @@ bool target_is_inside(const Snapshot& snapshot, const Structure& structure, std:
   const Eigen::Vector3d centre = to_craft(snapshot.bodies[target].position);
   const double radius =
       radius_at({mean(structure.rod_roots), mean(structure.rod_kinks), mean(structure.rod_tips)}, centre.y());
-  return std::hypot(centre.x(), centre.z()) < radius;
+  return hypotenuse(centre.x(), centre.z()) < radius;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "engine/bodies/symmetric_algebra.h"
+#include "engine/math/elementary.h"
 
 namespace netpocket {
 namespace {
@@ -42,7 +43,7 @@ HingeForces hinge_forces(const Hinge& hinge, const Eigen::Vector3d& g1, const Ei
   const double cosine = symmetric_dot(t, d2.unit);
   const double sine = symmetric_norm(t.cross(d2.unit));
   HingeForces result;
-  result.angle = std::atan2(sine, cosine);
+  result.angle = arc_tangent(sine, cosine);
 
   // d(theta)/d(t2) = -(t - cosine t2)/sine: unit vector across t2, towards t, called `towards2` up to the factor sine.
   const Eigen::Vector3d towards2 = t - cosine * d2.unit;

@@ -6,6 +6,7 @@
 #include "engine/ancf/element_slots.h"
 #include "engine/ancf/lanes.h"
 #include "engine/dynamics/hinge_hold.h"
+#include "engine/math/elementary.h"
 
 namespace netpocket::hinge_kernel::NETPOCKET_ISA_NAME {
 namespace {
@@ -58,7 +59,7 @@ NETPOCKET_INLINE Lanes gather_values(const double* values, const std::int32_t* s
 
 NETPOCKET_INLINE Lanes angle_of(const Lanes& sine, const Lanes& cosine) {
   Lanes angle = {};
-  for (int i = 0; i < kWidth; ++i) angle[i] = __builtin_atan2(sine[i], cosine[i]);
+  for (int i = 0; i < kWidth; ++i) angle[i] = arc_tangent(sine[i], cosine[i]);
   return angle;
 }
 

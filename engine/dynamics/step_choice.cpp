@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/math/power.h"
+
 namespace netpocket {
 namespace {
 
@@ -46,11 +48,11 @@ void StepChoice::find_rope_step(double length) {
   const VariableRope& rope = model_.ropes.front();
   constexpr double kRatio = 1.01;
   const int length_class =
-      static_cast<int>(std::floor(std::log(length / static_cast<double>(rope.elements.size())) / std::log(kRatio)));
+      static_cast<int>(std::floor(logarithm(length / static_cast<double>(rope.elements.size())) / logarithm(kRatio)));
   if (length_class == std::exchange(length_class_, length_class)) return;
   const bool paired = std::ranges::all_of(rope.elements, [&](std::int32_t i) { return model_.elements[i].mate >= 0; });
   rope_step_ = stable_step_of_lumped_element(model_.material_of(rope.elements.front()).section,
-                                             std::pow(kRatio, length_class), paired);
+                                             power(kRatio, length_class), paired);
 }
 
 double StepChoice::stable_step(const std::function<RopeMotion(double)>& winding, double end) {

@@ -4,13 +4,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/math/elementary.h"
+
 namespace netpocket {
 namespace {
 
 // From 0 to 1 over s in [0, 1], with vanishing slope at both ends.
 double cycloid(double s) {
   s = std::clamp(s, 0.0, 1.0);
-  return s - std::sin(2 * std::numbers::pi * s) / (2 * std::numbers::pi);
+  return s - sine(2 * std::numbers::pi * s) / (2 * std::numbers::pi);
 }
 
 // 1 during [0, duration], with smooth flanks a tenth of the duration long.
@@ -53,8 +55,8 @@ BodyControl SpacecraftDrive::at(double time, double velocity_y) {
     case TowingMode::none:
       break;
   }
-  control.point.x() = towing_.offset * std::cos(towing_.offset_angle);
-  control.point.z() = towing_.offset * std::sin(towing_.offset_angle);
+  control.point.x() = towing_.offset * cosine(towing_.offset_angle);
+  control.point.z() = towing_.offset * sine(towing_.offset_angle);
   return control;
 }
 

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "engine/ancf/wrinkling.h"
+#include "engine/math/elementary.h"
 
 namespace netpocket {
 namespace {
@@ -15,7 +16,7 @@ constexpr double kPi = std::numbers::pi;
 
 CableMaterial cord_material(const CordParameters& cord) {
   const double area = kPi * cord.diameter * cord.diameter / 4;
-  const double second_moment = kPi * std::pow(cord.diameter, 4) / 64;
+  const double second_moment = kPi * fourth_power(cord.diameter) / 64;
   return {.section = {.EA = cord.youngs_modulus * area,
                       .EI = cord.youngs_modulus * second_moment,
                       .mass_per_length = cord.density * area,
@@ -30,7 +31,7 @@ CableMaterial cord_material(const CordParameters& cord) {
 CableMaterial rod_material(const RodParameters& rods, double wall) {
   const double outer = rods.outer_diameter, inner = std::max(0.0, outer - 2 * wall);
   const double area = kPi * (outer * outer - inner * inner) / 4;
-  const double second_moment = kPi * (std::pow(outer, 4) - std::pow(inner, 4)) / 64;
+  const double second_moment = kPi * (fourth_power(outer) - fourth_power(inner)) / 64;
   return {.section = {.EA = rods.youngs_modulus * area,
                       .EI = rods.youngs_modulus * second_moment,
                       .mass_per_length = rods.density * area,

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <variant>
 
+#include "engine/bodies/rotation.h"
 #include "engine/pocket/materials.h"
 #include "engine/pocket/sector_builder.h"
 #include "engine/scenario/closing_law.h"
@@ -87,12 +88,6 @@ Shape shape_of_target(const Scenario& scenario) {
   return std::get<Shape>(std::move(shape));
 }
 
-Eigen::Quaterniond from_rotation_vector(const Eigen::Vector3d& v) {
-  const double angle = v.norm();
-  if (angle == 0) return Eigen::Quaterniond::Identity();
-  return Eigen::Quaterniond(Eigen::AngleAxisd(angle, v / angle));
-}
-
 void PocketBuilder::add_bodies() {
   const SpacecraftParameters& craft = scenario_.spacecraft;
   const TargetParameters& target = scenario_.target;
@@ -110,7 +105,7 @@ void PocketBuilder::add_bodies() {
                                            .mass = target.mass,
                                            .inertia = target_inertia(target, shape),
                                            .state = {.position = target.position,
-                                                     .attitude = from_rotation_vector(target.attitude),
+                                                     .attitude = rotation_by(target.attitude),
                                                      .velocity = target.velocity,
                                                      .angular_velocity = target.spin},
                                            .youngs_modulus = target.youngs_modulus,

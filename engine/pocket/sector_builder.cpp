@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "engine/bodies/symmetric_algebra.h"
+#include "engine/math/elementary.h"
 
 namespace netpocket {
 
@@ -13,11 +14,11 @@ Eigen::Vector3d SectorBuilder::radial(int rod) const {
   const auto first_quarter = [&](double angle) -> Eigen::Vector3d {
     if (angle == 0) return {1, 0, 0};
     if (4 * angle == std::numbers::pi) return {std::sqrt(0.5), 0, std::sqrt(0.5)};
-    return {std::cos(angle), 0, std::sin(angle)};
+    return {cosine(angle), 0, sine(angle)};
   };
   if (sectors_ % 4 != 0) {
     const double angle = 2 * std::numbers::pi * rod / sectors_;
-    return {std::cos(angle), 0, std::sin(angle)};
+    return {cosine(angle), 0, sine(angle)};
   }
   const int per_quarter = sectors_ / 4;
   Eigen::Vector3d direction = first_quarter(2 * std::numbers::pi * (rod % per_quarter) / sectors_);

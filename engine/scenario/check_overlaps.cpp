@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 
+#include "engine/bodies/rotation.h"
 #include "engine/scenario/pocket_outline.h"
 
 namespace netpocket {
@@ -19,10 +20,7 @@ constexpr int kSamples = 40;  // along each edge of a sampled surface
 using Distance = std::function<double(const Eigen::Vector3d&)>;
 
 Distance distance_from_target(const TargetParameters& target, const Shape& shape) {
-  const double angle = target.attitude.norm();
-  const Eigen::AngleAxisd to_world(angle,
-                                   angle > 0 ? Eigen::Vector3d(target.attitude / angle) : Eigen::Vector3d::UnitY());
-  const Eigen::Matrix3d to_body = to_world.toRotationMatrix().transpose();
+  const Eigen::Matrix3d to_body = rotation_by(target.attitude).toRotationMatrix().transpose();
   const double radius = bounding_radius(shape);
   return [target, &shape, radius, to_body](const Eigen::Vector3d& point) {
     const Eigen::Vector3d arm = point - target.position;

@@ -8,6 +8,7 @@
 #include <string>
 #include <variant>
 
+#include "engine/math/elementary.h"
 #include "engine/scenario/check_overlaps.h"
 #include "engine/scenario/parameter_text.h"
 #include "engine/scenario/pocket_outline.h"
@@ -101,7 +102,7 @@ class Checker {
   }
 
   void check_gaps_between_rods() {
-    const double chord = 2 * std::sin(std::numbers::pi / s_.pocket.rod_count);
+    const double chord = 2 * sine(std::numbers::pi / s_.pocket.rod_count);
     for (const auto& point : s_.rods.profile) {
       if (point.x() * chord >= s_.rods.outer_diameter) continue;
       add("rods.profile", fmt::format("{} rods {} m from the axis intersect: their axes are {:.3g} m apart, less than "
@@ -119,8 +120,7 @@ class Checker {
                       elements, kLargestElementCount));
     }
     const auto& profile = s_.rods.profile;
-    const double width =
-        2 * std::min(profile[1].x(), profile[2].x()) * std::sin(std::numbers::pi / s_.pocket.rod_count);
+    const double width = 2 * std::min(profile[1].x(), profile[2].x()) * sine(std::numbers::pi / s_.pocket.rod_count);
     const double lower = (profile[1] - profile[0]).norm() / s_.pocket.mesh_columns;
     const double upper = (profile[2] - profile[1]).norm() / s_.pocket.mesh_rows;
     const double element = std::min({width / s_.pocket.mesh_columns, lower, upper}) / s_.pocket.elements_per_side;

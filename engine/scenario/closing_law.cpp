@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/math/elementary.h"
+
 namespace netpocket {
 namespace {
 
@@ -18,7 +20,7 @@ struct Progress {
 
 Progress cycloid(double s) {
   constexpr double kTurn = 2 * std::numbers::pi;
-  return {s - std::sin(kTurn * s) / kTurn, 1 - std::cos(kTurn * s), kTurn * std::sin(kTurn * s)};
+  return {s - sine(kTurn * s) / kTurn, 1 - cosine(kTurn * s), kTurn * sine(kTurn * s)};
 }
 
 Progress quintic(double s) {

@@ -3,15 +3,17 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/math/elementary.h"
+
 namespace netpocket {
 
 Eigen::Vector3d rod_point(const PocketParameters& pocket, int rod, const Eigen::Vector2d& radius_height) {
   const double angle = 2 * std::numbers::pi * rod / pocket.rod_count;
-  return {radius_height.x() * std::cos(angle), radius_height.y(), radius_height.x() * std::sin(angle)};
+  return {radius_height.x() * cosine(angle), radius_height.y(), radius_height.x() * sine(angle)};
 }
 
 double open_tip_distance(const Scenario& scenario) {
-  return 2 * scenario.rods.profile.back().x() * std::sin(std::numbers::pi / scenario.pocket.rod_count);
+  return 2 * scenario.rods.profile.back().x() * sine(std::numbers::pi / scenario.pocket.rod_count);
 }
 
 std::vector<PanelOutline> panel_outlines(const Scenario& scenario) {

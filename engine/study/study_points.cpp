@@ -7,6 +7,7 @@
 #include <cmath>
 #include <random>
 
+#include "engine/math/power.h"
 #include "engine/scenario/check_scenario.h"
 #include "engine/study/read_study.h"
 #include "engine/study/study.h"
@@ -29,7 +30,7 @@ double radical_inverse(std::int64_t index, std::int64_t base) {
 
 // A number of a range, at a fraction of the way.
 double between(const Axis& axis, double fraction) {
-  if (axis.logarithmic) return axis.from * std::pow(axis.to / axis.from, fraction);
+  if (axis.logarithmic) return axis.from * power(axis.to / axis.from, fraction);
   return axis.from + fraction * (axis.to - axis.from);
 }
 
