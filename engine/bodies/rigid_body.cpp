@@ -48,10 +48,13 @@ void RigidBody::restore(const RigidBodyState& state) {
   update_rotation();
 }
 
+Vector3d RigidBody::angular_momentum_of(const Vector3d& angular_velocity) const {
+  return symmetric_product(rotation_, inertia_ * symmetric_transposed_product(rotation_, angular_velocity));
+}
+
 void RigidBody::set_angular_velocity(const Vector3d& angular_velocity) {
-  state_.angular_momentum =
-      symmetric_product(rotation_, inertia_ * symmetric_transposed_product(rotation_, angular_velocity));
-  angular_velocity_ = angular_velocity;
+  state_.angular_momentum = angular_momentum_of(angular_velocity);
+  angular_velocity_ = apply_inverse_inertia(state_.angular_momentum);  // as it follows from a restored state
 }
 
 void RigidBody::kick(const Vector3d& force, const Vector3d& torque, double dt) {

@@ -49,6 +49,8 @@ class RigidBody {
   const Eigen::Vector3d& angular_velocity() const { return angular_velocity_; }  // rad/s, world axes
 
   void set_velocity(const Eigen::Vector3d& velocity) { state_.velocity = velocity; }
+  // kg m^2/s, world axes: that belongs to an angular velocity (rad/s) at the present attitude.
+  Eigen::Vector3d angular_momentum_of(const Eigen::Vector3d& angular_velocity) const;
   // rad/s, world axes; sets the angular momentum that belongs to it at the present attitude.
   void set_angular_velocity(const Eigen::Vector3d& angular_velocity);
 

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "engine/ancf/mass.h"
 #include "engine/ancf/strain_pair.h"
@@ -326,6 +328,8 @@ Eigen::Vector3d CableSystem::gradient(std::int32_t gradient) const {
   return impl_->coordinates.get(impl_->layout.gradient(gradient));
 }
 BodyState CableSystem::body(std::int32_t body) const { return impl_->bodies[body].state(); }
+RigidMotion CableSystem::motion(std::int32_t body) const { return impl_->bodies[body].motion(); }
+const Wrench& CableSystem::exerted(std::int32_t body) const { return impl_->bodies[body].exerted(); }
 const RopeMotion& CableSystem::rope_motion(std::int32_t rope) const { return impl_->ropes.motion(rope); }
 
 void CableSystem::displace(std::span<const Eigen::Vector3d> displacements) {
@@ -375,24 +379,25 @@ double CableSystem::take_deepest_penetration() { return std::exchange(impl_->dee
 
 void CableSystem::visit_state(const std::function<void(double&)>& visit) {
   Impl& s = *impl_;
-  // Nothing is touched unless the visitor changes it: to look at the state must not change a bit of the run.
-  const auto visit_number = [&](double& number) {
-    const double before = number;
+  // Nothing is touched unless the visitor changes it: to look at the state must not change a bit of the run. Bits are
+  // compared, since a zero has a sign.
+  bool changed = false;
+  const std::function<void(double&)> visit_number = [&](double& number) {
+    const auto before = std::bit_cast<std::uint64_t>(number);
     visit(number);
-    return number != before;
+    changed = changed || std::bit_cast<std::uint64_t>(number) != before;
   };
   const auto visit_vector = [&](auto&& v) {
-    bool changes = false;
-    for (Eigen::Index i = 0; i < v.size(); ++i) changes = visit_number(v[i]) || changes;
+    const bool changed_before = std::exchange(changed, false);
+    for (Eigen::Index i = 0; i < v.size(); ++i) visit_number(v[i]);
+    const bool changes = changed;
+    changed = changed || changed_before;
     return changes;
   };
-  bool changed = false;
   for (SlotVectors* vectors : {&s.coordinates, &s.velocities}) {
     for (std::int32_t slot = 0; slot < s.layout.size(); ++slot) {
       Eigen::Vector3d value = vectors->get(slot);
-      if (!visit_vector(value)) continue;
-      vectors->set(slot, value);
-      changed = true;
+      if (visit_vector(value)) vectors->set(slot, value);
     }
   }
   for (DynamicBody& body : s.bodies) {
@@ -402,15 +407,15 @@ void CableSystem::visit_state(const std::function<void(double&)>& visit) {
     moved = visit_vector(state.attitude.coeffs()) || moved;
     moved = visit_vector(state.angular_momentum) || moved;
     if (moved) body.rigid().restore(state);
-    changed = changed || moved;
   }
+  for (BodyControl& control : s.controls) control.visit_state(visit_number);
   for (Eigen::Vector3d& impulse : s.impulses) visit_vector(impulse);
   double steps = static_cast<double>(s.steps);
   for (double* value : {&s.time, &s.last_dt, &steps, &s.input_work, &s.dissipated, &s.initial_energy, &s.initial_input,
                         &s.deepest_penetration}) {
-    visit(*value);
+    visit_number(*value);
   }
-  s.ropes.visit_state(visit);
+  s.ropes.visit_state(visit_number);
   // A file may hold what is no count.
   if (steps >= 0 && steps < 9e15) s.steps = static_cast<std::int64_t>(steps);
   if (!changed) return;

@@ -77,6 +77,9 @@ class CableSystem {
   Eigen::Vector3d velocity(std::int32_t node) const;  // m/s, at the last half step
   Eigen::Vector3d gradient(std::int32_t gradient) const;
   BodyState body(std::int32_t body) const;
+  // Of a body with what is attached to it, and what its control exerted in the last step, about their common centre.
+  RigidMotion motion(std::int32_t body) const;
+  const Wrench& exerted(std::int32_t body) const;
   const RopeMotion& rope_motion(std::int32_t rope) const;
 
   // Moves the free nodes (m, by node) before the first step; energies count from the state so made.

@@ -66,6 +66,24 @@ RigidBody compound(const ModelBody& body, const std::vector<AttachedMass>& attac
 
 }  // namespace
 
+void BodyControl::visit_state(const std::function<void(double&)>& visit) {
+  const auto visit_flag = [&](bool flag) {
+    double number = flag ? 1 : 0;
+    visit(number);
+    return number != 0;
+  };
+  for (Eigen::Vector3d* vector : {&force, &point, &spin, &at_centre.force, &at_centre.torque}) {
+    for (double& component : *vector) visit(component);
+  }
+  for (std::optional<double>& component : velocity) {
+    const bool prescribed = visit_flag(component.has_value());
+    double value = component.value_or(0);
+    visit(value);
+    component = prescribed ? std::optional(value) : std::nullopt;
+  }
+  hold_attitude = visit_flag(hold_attitude);
+}
+
 DynamicBody::DynamicBody(const RigidBody& rigid, const Eigen::Vector3d& centre)
     : rigid_(rigid), centre_(centre), inverse_mass_(1 / rigid.mass()) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(rigid.inertia(), Eigen::EigenvaluesOnly);
@@ -106,23 +124,24 @@ Wrench DynamicBody::attachment_wrench(const Attachment& attachment, const Eigen:
 
 Wrench DynamicBody::total(const Wrench& wrench, const BodyControl& control, double kick) const {
   const Eigen::Vector3d arm = rigid_.direction_to_world(centre_ + control.point);
-  Wrench sum{wrench.force + control.force, wrench.torque + arm.cross(control.force)};
+  Wrench sum = wrench + Wrench{control.force, arm.cross(control.force)} + control.at_centre;
   for (int i = 0; i < 3; ++i) {
     if (control.velocity[i] && kick > 0)
       sum.force[i] = rigid_.mass() * (*control.velocity[i] - rigid_.velocity()[i]) / kick;
   }
-  if (control.hold_attitude) sum.torque = -rigid_.angular_momentum() / (kick > 0 ? kick : 1);
+  if (control.hold_attitude)
+    sum.torque = (rigid_.angular_momentum_of(control.spin) - rigid_.angular_momentum()) / (kick > 0 ? kick : 1);
   return sum;
 }
 
 double DynamicBody::step(const Wrench& wrench, const BodyControl& control, double kick, double drift) {
   const Wrench sum = total(wrench, control, kick);
+  exerted_ = {sum.force - wrench.force, sum.torque - wrench.torque};
   const Eigen::Vector3d velocity = rigid_.velocity(), spin = rigid_.angular_velocity();
   rigid_.kick(sum.force, sum.torque, kick);
   const Eigen::Vector3d mean_velocity = 0.5 * (velocity + rigid_.velocity());
   const Eigen::Vector3d mean_spin = 0.5 * (spin + rigid_.angular_velocity());
-  const double work =
-      kick * ((sum.force - wrench.force).dot(mean_velocity) + (sum.torque - wrench.torque).dot(mean_spin));
+  const double work = kick * (exerted_.force.dot(mean_velocity) + exerted_.torque.dot(mean_spin));
   rigid_.drift(drift);
   return work;
 }

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -13,14 +14,6 @@
 #include "engine/model/model.h"
 
 namespace netpocket {
-
-// What is imposed on a body from outside, until it is changed.
-struct BodyControl {
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();     // N, at `point`
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();     // m, from the body's centre of mass, body axes
-  std::array<std::optional<double>, 3> velocity = {};  // m/s, prescribed velocity components, world axes
-  bool hold_attitude = false;                          // no rotation: an attitude control takes the torque
-};
 
 struct Wrench {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();   // N
@@ -32,6 +25,25 @@ struct Wrench {
     return *this;
   }
   friend Wrench operator+(Wrench a, const Wrench& b) { return a += b; }
+};
+
+// What is imposed on a body from outside, until it is changed.
+struct BodyControl {
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();     // N, at `point`
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();     // m, from the body's centre of mass, body axes
+  std::array<std::optional<double>, 3> velocity = {};  // m/s, prescribed velocity components, world axes
+  bool hold_attitude = false;                          // an attitude control takes the torque: no rotation, or `spin`
+  Eigen::Vector3d spin = Eigen::Vector3d::Zero();      // rad/s, prescribed angular velocity where the attitude is held
+  Wrench at_centre = {};                               // besides, about the centre of the body with its attachments
+
+  // Gives every number to `visit`, which may change it.
+  void visit_state(const std::function<void(double&)>& visit);
+};
+
+// Of a body with its attachments, at its centre of mass, world axes.
+struct RigidMotion {
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();          // m/s
+  Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  // rad/s
 };
 
 class DynamicBody {
@@ -48,6 +60,11 @@ class DynamicBody {
   RigidBody& rigid() { return rigid_; }
   const RigidBody& rigid() const { return rigid_; }
   const std::vector<Attachment>& attachments() const { return attachments_; }
+
+  RigidMotion motion() const { return {rigid_.velocity(), rigid_.angular_velocity()}; }
+  // What the control exerted in the last step, about the centre of mass: what it was told to, and what it took to
+  // prescribe the motion.
+  const Wrench& exerted() const { return exerted_; }
 
   // State of the model's body itself, without attachments.
   BodyState state() const;
@@ -75,6 +92,7 @@ class DynamicBody {
   RigidBody rigid_;
   Eigen::Vector3d centre_;  // of the model's body, from the common centre of mass, body axes
   std::vector<Attachment> attachments_;
+  Wrench exerted_;
   double inverse_mass_;
   double largest_inverse_inertia_;
 };
