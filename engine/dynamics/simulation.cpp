@@ -13,11 +13,12 @@
 #include "engine/bodies/symmetric_algebra.h"
 #include "engine/dynamics/cable_system.h"
 #include "engine/dynamics/channels.h"
+#include "engine/dynamics/material_changes.h"
 #include "engine/dynamics/step_choice.h"
 #include "engine/dynamics/towing.h"
-#include "engine/pocket/materials.h"
 #include "engine/pocket/pocket.h"
 #include "engine/scenario/closing_law.h"
+#include "engine/scenario/closing_transition.h"
 #include "engine/scenario/parameters.h"
 #include "engine/scenario/strategy.h"
 
@@ -60,27 +61,7 @@ double total_mass(const Model& model) {
   return mass;
 }
 
-// A closing law that takes over from a motion at time `now`: the new law plus what length and speed differ by, which
-// fades within half a second by the quintic that starts with that difference and rate and ends at rest.
-std::function<RopeMotion(double)> blended_closing(const ClosingSchedule& schedule, const RopeMotion& before,
-                                                  double now) {
-  constexpr double kFade = 0.5;  // s
-  const ClosingState start = schedule.at(now);
-  const double gap = before.length - start.length, gap_rate = (before.rate - start.speed) * kFade;
-  return [=](double time) {
-    const ClosingState state = schedule.at(time);
-    RopeMotion motion{state.length, state.speed, state.acceleration};
-    const double s = (time - now) / kFade;
-    if (s < 0 || s >= 1) return motion;
-    // Hermite quintics with value 1 or slope 1 at s = 0 and nothing else at either end.
-    const double s2 = s * s, s3 = s2 * s, s4 = s3 * s, s5 = s4 * s;
-    motion.length += gap * (1 - 10 * s3 + 15 * s4 - 6 * s5) + gap_rate * (s - 6 * s3 + 8 * s4 - 3 * s5);
-    motion.rate += (gap * (-30 * s2 + 60 * s3 - 30 * s4) + gap_rate * (1 - 18 * s2 + 32 * s3 - 15 * s4)) / kFade;
-    motion.acceleration +=
-        (gap * (-60 * s + 180 * s2 - 120 * s3) + gap_rate * (-36 * s + 96 * s2 - 60 * s3)) / (kFade * kFade);
-    return motion;
-  };
-}
+ClosingState state_of(const RopeMotion& motion) { return {motion.length, motion.rate, motion.acceleration}; }
 
 }  // namespace
 
@@ -90,6 +71,7 @@ struct Simulation::Impl {
         pocket(build_pocket(s)),
         system(std::move(pocket.model), system_options(s, options)),
         drive(s.towing, s.spacecraft.station_keeping, total_mass(system.model())),
+        material_changes(pocket, system, s),
         channels(pocket),
         step_choice(system),
         winding(system.model().ropes.front().motion) {
@@ -100,9 +82,12 @@ struct Simulation::Impl {
   Pocket pocket;  // its model is the system's
   CableSystem system;
   SpacecraftDrive drive;
+  MaterialChanges material_changes;
   ChannelRecorder channels;
   StepChoice step_choice;
   std::function<RopeMotion(double)> winding;  // the present law, of all closing ropes
+  double closing_changed = -1;                // s, when the closing law was last changed; negative: never
+  ClosingState closing_then{};                // of the ropes at that time
   double time_step = 0;                       // s, in the present interval
   std::int64_t interval = -1;                 // stretch of equal steps, one or more to an output interval
   std::int64_t interval_steps = 1, steps_in_interval = 0;
@@ -133,25 +118,33 @@ struct Simulation::Impl {
         parameters(), [&](const Parameter& p) { return p.group() == "closing" && !(p.get(next) == p.get(scenario)); });
     scenario = next;
     sound_state.clear();  // the steps since would not repeat themselves
-    drive.change(next.towing, next.spacecraft.station_keeping);
-    system.set_friction(next.contact.friction);
-    for (const auto& [material, wall] :
-         {std::pair{pocket.lower_rods, next.rods.wall_lower}, std::pair{pocket.upper_rods, next.rods.wall_upper}}) {
-      system.set_wrinkling_moment(material, rod_material(next.rods, wall).wrinkling_moment);
-    }
-    if (closing_changes) change_closing();
+    drive.change(next.towing, next.spacecraft.station_keeping, system.time());
+    material_changes.change(next, system.time());
+    if (!closing_changes) return;
+    closing_then = state_of(winding(system.time()));
+    closing_changed = system.time();
+    follow_changed_closing();
   }
 
-  void change_closing() {
+  // The ropes go over to the scenario's law from where they were when it was changed.
+  void follow_changed_closing() {
     const double open = system.model().ropes.front().motion(0).length;
-    winding = blended_closing(ClosingSchedule(scenario.closing, open), winding(system.time()), system.time());
+    winding = [transition = ClosingTransition(ClosingSchedule(scenario.closing, open), closing_changed, closing_then)](
+                  double time) {
+      const ClosingState state = transition.at(time);
+      return RopeMotion{state.length, state.speed, state.acceleration};
+    };
     system.set_rope_motion(winding);
   }
 
   void visit_state(const std::function<void(double&)>& visit) {
+    material_changes.visit_state(visit);
     system.visit_state(visit);
     channels.visit_state(visit);
     drive.visit_state(visit);
+    for (double* value : {&closing_changed, &closing_then.length, &closing_then.speed, &closing_then.acceleration}) {
+      visit(*value);
+    }
     step_choice.visit_state(visit);
     const auto visit_count = [&](std::int64_t& count) {
       double value = static_cast<double>(count);
@@ -227,13 +220,16 @@ struct Simulation::Impl {
   void set_state(std::span<const double> values) {
     std::size_t next = 0;
     visit_state([&](double& value) { value = values[next++]; });
+    if (closing_changed >= 0) follow_changed_closing();
     defect.clear();
   }
 
   void step() {
     if (interval < 0 || steps_in_interval == interval_steps) begin_interval();
-    system.control(pocket.spacecraft, drive.at(system.time(), system.body(pocket.spacecraft).velocity.y()));
+    material_changes.apply(system.time());
+    system.control(pocket.spacecraft, drive.at(system.time(), system.motion(pocket.spacecraft)));
     system.step(time_step);
+    drive.note_step(system.exerted(pocket.spacecraft), system.motion(pocket.spacecraft), time_step);
     step_choice.caution().note_penetration(system.penetration());
     if (++steps_in_interval == interval_steps) {
       end_interval();

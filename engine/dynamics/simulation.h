@@ -42,12 +42,12 @@ class Simulation {
   Snapshot snapshot();
 
   // Lets the strategy of another scenario act from now on: closing, towing, station keeping, contact friction, the
-  // rods' pressure and the end time. The rope length goes over to the new law smoothly within half a second. Returns
-  // the keys of parameters that differ besides these: they need a new Simulation.
+  // rods' pressure and the end time. Each goes over from what is so that nothing jumps (closing_transition.h, towing.h,
+  // material_changes.h). Returns the keys of parameters that differ besides these: they need a new Simulation.
   std::vector<std::string> change_strategy(const Scenario& scenario);
 
-  // The complete state as numbers, and back: a Simulation of the same scenario and the same changes of strategy
-  // continues from it to the last bit. Throws std::invalid_argument when the size does not fit or the state is not
+  // The complete state as numbers, and back: a Simulation of the present scenario(), which holds the strategy that acts
+  // now, continues from it to the last bit. Throws std::invalid_argument when the size does not fit or the state is not
   // sound.
   std::vector<double> checkpoint() const;
   void restore(std::span<const double> state);

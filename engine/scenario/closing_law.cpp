@@ -51,6 +51,9 @@ Progress progress(ClosingLaw law, double s) {
   return {s, 1, 0};
 }
 
+// Largest slope of the progress: of all but the linear law at the middle.
+double largest_slope(ClosingLaw law) { return progress(law, 0.5).slope; }
+
 // The slope at the middle of three points that keeps a cubic monotone: a weighted harmonic mean, zero at an extremum
 // (Fritsch & Butland 1984).
 double monotone_slope(const Eigen::Vector2d& before, const Eigen::Vector2d& here, const Eigen::Vector2d& after) {
@@ -71,7 +74,9 @@ ClosingSchedule::ClosingSchedule(const ClosingParameters& parameters, double ope
       start_(parameters.start),
       duration_(parameters.duration),
       open_(open_length),
-      closed_(parameters.closed_length) {
+      closed_(parameters.closed_length),
+      shortest_(std::min(open_, closed_)),
+      fastest_(std::abs(closed_ - open_) / duration_ * largest_slope(law_)) {
   if (law_ == ClosingLaw::table) read_table(parameters.table);
 }
 
@@ -84,6 +89,24 @@ void ClosingSchedule::read_table(const std::vector<Eigen::Vector2d>& table) {
   }
   duration_ = points_.back().time;
   closed_ = points_.back().length;
+  const auto shorter = [](const Point& a, const Point& b) { return a.length < b.length; };
+  shortest_ = std::min_element(points_.begin(), points_.end(), shorter)->length;
+  fastest_ = fastest_between_points();
+}
+
+// The speed is a parabola in time between points: largest at the points or at its vertex.
+double ClosingSchedule::fastest_between_points() const {
+  double fastest = 0;
+  for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
+    const Point &a = points_[i], &b = points_[i + 1];
+    const double h = b.time - a.time;
+    const double c1 = h * a.speed, rise = b.length - a.length;
+    const double c2 = 3 * rise - h * (2 * a.speed + b.speed), c3 = h * (a.speed + b.speed) - 2 * rise;
+    fastest = std::max({fastest, std::abs(a.speed), std::abs(b.speed)});
+    const double vertex = -c2 / (3 * c3);
+    if (vertex > 0 && vertex < 1) fastest = std::max(fastest, std::abs(c1 + vertex * (2 * c2 + vertex * 3 * c3)) / h);
+  }
+  return fastest;
 }
 
 ClosingState ClosingSchedule::between_points(double elapsed) const {

@@ -11,6 +11,8 @@ struct ClosingState {
   double length;        // m, rope between adjacent rod tips
   double speed;         // m/s, dL/dt, negative while closing
   double acceleration;  // m/s^2, d2L/dt2
+
+  friend bool operator==(const ClosingState&, const ClosingState&) = default;
 };
 
 // Open before the start, closed after the end, and between them, with s = (t - start)/duration,
@@ -34,6 +36,8 @@ class ClosingSchedule {
   double end() const { return start_ + duration_; }  // s
   double open_length() const { return open_; }       // m
   double closed_length() const { return closed_; }   // m
+  double shortest() const { return shortest_; }      // m, at any time
+  double fastest() const { return fastest_; }        // m/s, largest size of the speed at any time
 
  private:
   // A point of the table: cubic Hermite between points.
@@ -45,12 +49,15 @@ class ClosingSchedule {
 
   void read_table(const std::vector<Eigen::Vector2d>& table);
   ClosingState between_points(double elapsed) const;
+  double fastest_between_points() const;
 
   ClosingLaw law_;
   double start_;
   double duration_;
   double open_;
   double closed_;
+  double shortest_;
+  double fastest_;
   std::vector<Point> points_;
 };
 

@@ -108,6 +108,8 @@ struct TowingParameters {
   double size = 0.01;       // N, m/s^2 or m/s by mode; pulls towards -Y
   double offset = 0.005;    // m, of the line of thrust from the axis
   double offset_angle = 0;  // rad, from +X towards +Z, of the direction it is off in
+
+  friend bool operator==(const TowingParameters&, const TowingParameters&) = default;
 };
 
 struct SolverParameters {
