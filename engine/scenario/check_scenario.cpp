@@ -170,6 +170,15 @@ class Checker {
         return;
       }
     }
+    // The first row is that of the open pocket. Ropes may be paid out again, but only what has been wound in.
+    for (std::size_t i = 1; i < table.size(); ++i) {
+      if (table[i].y() <= open) continue;
+      add("closing.table",
+          fmt::format("row {} asks for {} m of rope, but only the {:.6g} m between the open tips can be "
+                      "paid out",
+                      i + 1, table[i].y(), open));
+      return;
+    }
     const auto shorter = [](const auto& a, const auto& b) { return a.y() < b.y(); };
     check_rope_length("closing.table", std::min_element(table.begin(), table.end(), shorter)->y());
   }

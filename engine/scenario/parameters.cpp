@@ -209,7 +209,7 @@ constexpr std::array kParameters = {
     parameter<kClosing, &Closing::start>("closing.start", within(0, 1e5), "s", "time at which closing starts", "paper, section 4.2"),
     parameter<kClosing, &Closing::duration>("closing.duration", within(1e-2, 1e5), "s", "time from open to closed; not used by the law table", "paper, section 4.2, case 1; 7.5 s in case 2, 5 s in case 3"),
     parameter<kClosing, &Closing::closed_length>("closing.closed_length", within(1e-3, 1e3), "m", "rope between adjacent rod tips when closed; not used by the law table", "paper, section 4.1"),
-    parameter<kClosing, &Closing::table>("closing.table", within(0, 1e5), "s, m", "[time after start, rope length] from open to closed, for the law table", "user's choice"),
+    parameter<kClosing, &Closing::table>("closing.table", within(0, 1e5), "s, m", "[time after start, rope length] from open to closed, for the law table; may pay out again, up to the open length", "user's choice"),
     parameter<kClosing, &Closing::elements>("closing.elements", within(1, 64), "", "variable-length elements in each rope", kAssumption),
 
     parameter<kTowing, &Towing::mode>("towing.mode", kNone, "", "none; force on the spacecraft; acceleration: force per mass of spacecraft, pocket and target; velocity of the spacecraft", kAssumption),

@@ -88,6 +88,9 @@ TEST(CheckScenario, ClosingTableRunsForwardFromTheOpenMouth) {
   expect_problem(table({{1, 5.78}, {10, 2.1}}), "closing.table", "must start at time 0");
   expect_problem(table({{0, 5.5}, {10, 2.1}}), "closing.table", "between the open tips");
   expect_problem(table({{0, 5.78}, {5, 3}, {5, 2.1}}), "closing.table", "times must increase");
+  EXPECT_EQ(problems(table({{0, 5.78}, {5, 3}, {7, 5.78}, {10, 2.1}})), "") << "paid out again";
+  expect_problem(table({{0, 5.78}, {5, 3}, {7, 5.8}, {10, 2.1}}), "closing.table",
+                 "row 3 asks for 5.8 m of rope, but only the 5.78617 m between the open tips can be paid out");
   expect_problem(table({{0, 5.78}, {5, 0}}), "closing.table", "at least 0.008 m");
 }
 
