@@ -12,7 +12,6 @@
 // Immutable: any thread may use it.
 
 #include <array>
-#include <functional>
 
 #include "engine/scenario/closing_law.h"
 
@@ -43,8 +42,8 @@ class ClosingTransition {
   void come_to_rest(double now, const ClosingState& from);
 
   ClosingSchedule schedule_;
-  double fastest_;   // m/s
-  double shortest_;  // m
+  double fastest_ = 0;   // m/s
+  double shortest_ = 0;  // m
   double end_;
   std::array<Leg, 2> legs_{};  // first the one to rest; empty where there is none
 };
