@@ -22,6 +22,39 @@ TriangleHit hit_at(const Vector3d& p, const Vector3d& nearest, TriangleFeature f
   return {(p - nearest).squaredNorm(), -1, feature, nearest};
 }
 
+// Where a segment passes through a triangle, of the way from its start; negative: nowhere. Segments in the triangle's
+// plane pass through its edges or have an end inside, which others find.
+double crossing_of(const Segment& segment, const TriangleTree::Corners& corners) {
+  const Vector3d along = segment.end - segment.start;
+  const Vector3d ab = corners[1] - corners[0], ac = corners[2] - corners[0];
+  const Vector3d across = along.cross(ac);
+  const double determinant = ab.dot(across);
+  if (determinant == 0) return -1;
+  const Vector3d from = segment.start - corners[0];
+  const double u = from.dot(across) / determinant;
+  const Vector3d third = from.cross(ab);
+  const double v = along.dot(third) / determinant, t = ac.dot(third) / determinant;
+  return u >= 0 && v >= 0 && u + v <= 1 && t >= 0 && t <= 1 ? t : -1;
+}
+
+// Nearest place of a segment to a triangle: where it crosses, else at an end or at an edge of the triangle.
+SegmentHit nearest_to_triangle(const Segment& segment, const TriangleTree::Corners& corners) {
+  if (const double t = crossing_of(segment, corners); t >= 0) return {t, 0};
+  SegmentHit best;
+  const auto consider = [&](double t, double distance) {
+    if (distance < best.distance) best = {t, distance};
+  };
+  for (const double t : {0.0, 1.0}) {
+    const Vector3d& end = t == 0 ? segment.start : segment.end;
+    consider(t, std::sqrt(nearest_on_triangle(end, corners[0], corners[1], corners[2]).squared_distance));
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const SegmentDistance found = closest_points(segment, {corners[i], corners[(i + 1) % 3]});
+    consider(found.first_fraction, found.distance);
+  }
+  return best;
+}
+
 }  // namespace
 
 TriangleHit nearest_on_triangle(const Vector3d& p, const Vector3d& a, const Vector3d& b, const Vector3d& c) {
@@ -182,6 +215,41 @@ bool TriangleTree::collect(const Vector3d& point, double reach, std::size_t most
         return complete;
       });
   return complete;
+}
+
+double TriangleTree::least_distance(const Node& node, const Eigen::AlignedBox3d& box) {
+  double sum = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double outside =
+        std::max({node.low[axis] - box.max()[axis], box.min()[axis] - static_cast<double>(node.high[axis]), 0.0});
+    sum += outside * outside;
+  }
+  return std::sqrt(sum);
+}
+
+SegmentHit TriangleTree::nearest_to_segment(const Segment& segment, double reach) const {
+  SegmentHit best;
+  if (nodes_.empty()) return best;
+  Eigen::AlignedBox3d box(segment.start);
+  box.extend(segment.end);
+  double limit = reach;
+  std::array<std::int32_t, kStackSize> stack;
+  std::size_t size = 0;
+  stack[size++] = 0;
+  while (size > 0) {
+    const Node& node = nodes_[static_cast<std::size_t>(stack[--size])];
+    if (!(least_distance(node, box) <= limit * kRounding)) continue;
+    for (std::int32_t place = node.first; place < node.first + node.count; ++place) {
+      const SegmentHit found = nearest_to_triangle(segment, corners_[static_cast<std::size_t>(place)]);
+      if (found.distance > limit || found.distance >= best.distance) continue;
+      best = found;
+      limit = found.distance;
+    }
+    if (node.count > 0) continue;
+    stack[size++] = node.first + 1;
+    stack[size++] = node.first;
+  }
+  return best;
 }
 
 TriangleHit TriangleTree::nearest_among(const Vector3d& point, std::span<const std::int32_t> places) const {

@@ -7,11 +7,14 @@
 // Immutable: any thread may use it. Lengths in m.
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
+
+#include "engine/bodies/segment_distance.h"
 
 namespace netpocket {
 
@@ -30,6 +33,12 @@ struct TriangleHit {
 TriangleHit nearest_on_triangle(const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                                 const Eigen::Vector3d& c);
 
+// The place of a segment that is nearest to some triangles: of the way from its start to its end.
+struct SegmentHit {
+  double t = 0;
+  double distance = std::numeric_limits<double>::infinity();  // m, >= 0; 0 where it crosses one
+};
+
 class TriangleTree {
  public:
   using Corners = std::array<Eigen::Vector3d, 3>;
@@ -43,6 +52,8 @@ class TriangleTree {
   bool any_within(const Eigen::Vector3d& point, double reach) const;
   // Appends the places of all triangles within `reach`; stops when `most` are found and one more exists: then false.
   bool collect(const Eigen::Vector3d& point, double reach, std::size_t most, std::vector<std::int32_t>& places) const;
+  // The nearest place of a segment to any triangle within `reach` (m) of it; an infinite distance if there is none.
+  SegmentHit nearest_to_segment(const Segment& segment, double reach) const;
   TriangleHit nearest_among(const Eigen::Vector3d& point, std::span<const std::int32_t> places) const;
 
   // Index of the triangle at a place, as given.
@@ -59,6 +70,7 @@ class TriangleTree {
   void build(std::int32_t node, std::int32_t first, std::int32_t count, const std::vector<Corners>& triangles,
              const std::vector<Eigen::Vector3d>& centres);
   static double squared_distance(const Node& node, const Eigen::Vector3d& point);
+  static double least_distance(const Node& node, const Eigen::AlignedBox3d& box);
   TriangleHit hit(const Eigen::Vector3d& point, std::int32_t place) const;
   // Calls visit(place) for the triangles of all boxes within the squared distance that `limit()` gives at the time,
   // nearest boxes first, until it returns false.

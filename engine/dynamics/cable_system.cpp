@@ -64,6 +64,7 @@ CableSystem::Impl::Impl(Model&& source, const SystemOptions& opts)
       wrinkling(model, batch_elements(), opts.evaluation == ElementEvaluation::full),
       contacts(model, layout),
       contacted(layout.size()),
+      motion(model),
       element_forces(static_cast<std::size_t>(batch.block_count()) * kForceRows * kBlockSize, 0.0),
       applied(layout.size()) {
   for (const CableMaterial& material : model.materials) {
@@ -84,6 +85,8 @@ CableSystem::Impl::Impl(Model&& source, const SystemOptions& opts)
     }
     attached_blocks.emplace_back(blocks.begin(), blocks.end());
   }
+  bodies_way.assign(bodies.size(), 0.0);
+  for (const DynamicBody& body : bodies) attachments_reach.push_back(reach_of_attachments(body));
   controls.resize(bodies.size());
   wrenches.resize(bodies.size());
   impulses.assign(bodies.size(), Eigen::Vector3d::Zero());
@@ -97,11 +100,24 @@ CableSystem::Impl::Impl(Model&& source, const SystemOptions& opts)
   begin_accounts();
 }
 
+// Farthest (m) that a point of a cord moves when the body turns by a radian: of an attached node, and of a curve whose
+// slope turns.
+double CableSystem::Impl::reach_of_attachments(const DynamicBody& body) const {
+  double longest = 0, farthest = 0, steepest = 0;
+  for (const double length : element_length) longest = std::max(longest, length);
+  for (const DynamicBody::Attachment& attachment : body.attachments()) {
+    double& largest = attachment.direction ? steepest : farthest;
+    largest = std::max(largest, attachment.local.norm());
+  }
+  return farthest + 0.25 * longest * steepest;
+}
+
+// Anew: a system that is displaced or given other springs before its first step begins from there.
 void CableSystem::Impl::begin_accounts() {
   initial_input = 0;
   compute_forces(1e-4);
   const EnergyAudit start = audit();
-  initial_energy = start.kinetic + start.strain;
+  initial_energy = start.kinetic + start.strain + start.contact;
   initial_input = start.input;
   step_of_audit = -1;  // that one knew no start
 }
@@ -337,8 +353,7 @@ void CableSystem::displace(std::span<const Eigen::Vector3d> displacements) {
     if (impl_->model.nodes[i].support != Support::free) continue;
     impl_->coordinates.add(impl_->layout.position(static_cast<std::int32_t>(i)), displacements[i]);
   }
-  impl_->step_of_states = -1;
-  impl_->forget_forces();
+  impl_->state_has_jumped();
   impl_->begin_accounts();
 }
 void CableSystem::control(std::int32_t body, const BodyControl& control) {
@@ -367,6 +382,10 @@ CordContactSum CableSystem::cord_contacts() const {
   return {impl_->cord_contacts->count(), impl_->cord_contacts->total_normal_force()};
 }
 double CableSystem::penetration() const { return impl_->contacts.deepest_penetration(); }
+std::int64_t CableSystem::stopped_blows() const { return impl_->contacts.stops(); }
+std::int64_t CableSystem::parted_overlaps() const {
+  return impl_->cord_contacts ? impl_->cord_contacts->partings() : 0;
+}
 std::string CableSystem::deepest_contact() const {
   const auto contact = impl_->contacts.deepest_contact();
   if (!contact) return "";
@@ -411,18 +430,25 @@ void CableSystem::visit_state(const std::function<void(double&)>& visit) {
   for (BodyControl& control : s.controls) control.visit_state(visit_number);
   for (Eigen::Vector3d& impulse : s.impulses) visit_vector(impulse);
   double steps = static_cast<double>(s.steps);
-  for (double* value : {&s.time, &s.last_dt, &steps, &s.input_work, &s.dissipated, &s.initial_energy, &s.initial_input,
-                        &s.deepest_penetration}) {
+  double reference_step = s.reference_step;
+  for (double* value :
+       {&s.time, &s.last_dt, &steps, &s.input_work, &s.spent.in_cords, &s.spent.at_hinges, &s.spent.in_contacts,
+        &s.spent.by_friction, &s.initial_energy, &s.initial_input, &s.deepest_penetration, &reference_step}) {
     visit_number(*value);
   }
+  if (reference_step != s.reference_step) s.set_reference_step(reference_step);
   s.ropes.visit_state(visit_number);
   // A file may hold what is no count.
   if (steps >= 0 && steps < 9e15) s.steps = static_cast<std::int64_t>(steps);
-  if (!changed) return;
-  s.step_of_states = -1;
-  s.forget_forces();
-  s.contacts.forget_candidates();
-  if (s.cord_contacts) s.cord_contacts->forget_candidates();
+  if (changed) s.state_has_jumped();
+}
+
+// Positions have changed other than by a step.
+void CableSystem::Impl::state_has_jumped() {
+  step_of_states = step_of_speed = -1;
+  forget_forces();
+  contacts.forget_candidates();
+  if (cord_contacts) cord_contacts->forget_candidates();
 }
 
 }  // namespace netpocket

@@ -32,13 +32,24 @@ struct SystemOptions {
   int threads = 1;
 };
 
+// J, spent since the start. No part ever falls.
+struct SpentEnergy {
+  double in_cords = 0;     // damping of cords, ropes and rods
+  double at_hinges = 0;    // their dampers
+  double in_contacts = 0;  // dampers of contacts, and blows that they stop within a step
+  double by_friction = 0;
+
+  double total() const { return (in_cords + at_hinges) + (in_contacts + by_friction); }
+};
+
 // J, at one moment.
 struct EnergyAudit {
   double kinetic = 0;
   double strain = 0;
-  double input = 0;       // work of retractors, controls, gravity and loads since the start
-  double dissipated = 0;  // by damping, contact and friction since the start
-  double error = 0;       // kinetic + strain + dissipated - input, less its value at the start
+  double contact = 0;  // in the springs of contacts
+  double input = 0;    // work of retractors, controls, gravity and loads since the start
+  SpentEnergy spent;
+  double error = 0;  // kinetic + strain + contact + spent - input, less its value at the start
   // Of the cables' motion, what a step does not resolve: of a wave of frequency w, (w dt/2)^2 of its energy. The
   // integrator conserves the kinetic energy without it, so that the error follows it to and fro.
   double unresolved = 0;
@@ -100,6 +111,9 @@ class CableSystem {
   double take_deepest_penetration();
   // Deepest penetration (m) of the last step.
   double penetration() const;
+  // How often a safeguard has acted since the system was made, a count of contacts and steps; no part of the state.
+  std::int64_t stopped_blows() const;    // by cords on bodies too fast for a spring, stopped at its greatest depth
+  std::int64_t parted_overlaps() const;  // of cords found deeper in each other than their springs are
   // Of the last step, for messages: e.g. "rod 2 (element 31) is pressed 0.06 m into the target"; empty without contact.
   std::string deepest_contact() const;
 

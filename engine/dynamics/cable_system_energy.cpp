@@ -129,10 +129,16 @@ EnergyAudit CableSystem::Impl::audit() {
   result.kinetic = kinetic_energy(velocity) + flow.kinetic;
   result.unresolved = unresolved_energy(velocity);
   result.strain = strain_energy();
-  result.dissipated = dissipated + half_kick * (element_power.dissipated + hinge_power + contact_power());
+  const contact_kernel::ContactPower power = contact_power();
+  result.contact = contacts.stored_energy() + (cord_contacts ? cord_contacts->stored_energy() : 0);
+  result.spent = spent;
+  result.spent.in_cords += half_kick * element_power.dissipated;
+  result.spent.at_hinges += half_kick * hinge_power;
+  result.spent.in_contacts += half_kick * power.damping;
+  result.spent.by_friction += half_kick * power.friction;
   result.input = input_work + half_kick * element_power.fed + load_work() + flow.work -
                  0.5 * ropes.energy_change(coordinates, velocities) - initial_input;
-  result.error = result.kinetic + result.strain + result.dissipated - result.input - initial_energy;
+  result.error = result.kinetic + result.strain + result.contact + result.spent.total() - result.input - initial_energy;
   last_audit = result;
   step_of_audit = steps;
   return result;

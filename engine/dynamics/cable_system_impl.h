@@ -14,6 +14,7 @@
 #include "engine/dynamics/contacted_slots.h"
 #include "engine/dynamics/cord_contact.h"
 #include "engine/dynamics/hinge_kernel.h"
+#include "engine/dynamics/motion_bound.h"
 #include "engine/dynamics/rod_wrinkling.h"
 #include "engine/dynamics/rope_dynamics.h"
 #include "engine/dynamics/thread_team.h"
@@ -65,6 +66,14 @@ struct CableSystem::Impl {
   ContactSolver contacts;
   std::unique_ptr<CordContact> cord_contacts;  // none: cords pass through each other
   ContactedSlots contacted;
+  MotionBound motion;
+  // What has moved since contacts were looked for: bounds of the way of any point, m.
+  double cords_way = 0;
+  std::int64_t step_of_speed = -1;  // at which cord_speed has been found; -1: what it follows has changed since
+  double cord_speed = 0;            // m/s, of any point at most
+  std::vector<double> bodies_way;
+  std::vector<double> attachments_reach;  // m, by body: farthest of what hangs on it
+  std::vector<double> noted_rope_length;  // m, of an element, by rope, then
 
   // Forces of the present state.
   AlignedVector<double> element_forces;
@@ -84,7 +93,9 @@ struct CableSystem::Impl {
   std::vector<BatchPower> chunk_power;
 
   // Accounts since the start.
-  double input_work = 0, dissipated = 0, initial_energy = 0, initial_input = 0;
+  SpentEnergy spent;
+  double input_work = 0, initial_energy = 0, initial_input = 0;
+  double reference_step = 0;  // s, that the stiffness of contacts is for; 0: no step yet
   std::vector<Eigen::Vector3d> impulses;
   double deepest_penetration = 0;
 
@@ -94,6 +105,8 @@ struct CableSystem::Impl {
   }
   void set_initial_state();
   void begin_accounts();
+  double reach_of_attachments(const DynamicBody& body) const;
+  void state_has_jumped();
   void collect_mass();
   void collect_hinges();
   void update_ropes();
@@ -109,7 +122,10 @@ struct CableSystem::Impl {
   void add_hinges(double dt);
   void find_contacts(double dt);
   void add_contacts(double dt);
-  double contact_power() const;
+  contact_kernel::ContactPower contact_power() const;
+  void find_cord_speed();
+  void note_motion();
+  void set_reference_step(double dt);
   void compute_forces(double dt);
   void keep_forces_current(double dt);
   void forget_forces() { step_of_forces = step_of_audit = -1; }
@@ -117,6 +133,7 @@ struct CableSystem::Impl {
                       double drift);
   void move_slots(SlotVectors& v, SlotVectors& x, double kick, double drift);
   void step(double dt);
+  double step_body(std::size_t body, double kick, double dt);
   slot_kernel::UpdateView forces_view();
   void sum_forces(std::span<const std::int32_t> slot_blocks, double* rows);
   void add_attachment_forces(std::size_t body);

@@ -85,7 +85,7 @@ void CableSystem::Impl::add_hinges(double dt) {
 // All contacts see the same state: they are found before any of them acts.
 void CableSystem::Impl::find_contacts(double dt) {
   contacted.clear();
-  contacts.find(coordinates, velocities, batch, bodies, dt, contacted);
+  contacts.find(coordinates, velocities, batch, bodies, cord_speed, dt, contacted);
   if (cord_contacts) cord_contacts->find(coordinates, velocities, element_length, dt, contacted);
 }
 
@@ -95,10 +95,37 @@ void CableSystem::Impl::add_contacts(double dt) {
   if (cord_contacts) cord_contacts->add_forces(velocities, contacted, inverse_mass, dt, applied);
 }
 
-// Power that all contacts take out of the motion now, W.
-double CableSystem::Impl::contact_power() const {
-  const double power = contacts.dissipated_power(velocities, bodies);
-  return cord_contacts ? power + cord_contacts->dissipated_power(velocities) : power;
+// What all contacts take out of the motion now.
+contact_kernel::ContactPower CableSystem::Impl::contact_power() const {
+  contact_kernel::ContactPower power = contacts.dissipated_power(velocities, bodies);
+  if (!cord_contacts) return power;
+  const contact_kernel::ContactPower of_cords = cord_contacts->dissipated_power(velocities);
+  return {power.damping + of_cords.damping, power.friction + of_cords.friction};
+}
+
+void CableSystem::Impl::find_cord_speed() {
+  if (step_of_speed == steps) return;
+  cord_speed = motion.speed(velocities, loop());
+  step_of_speed = steps;
+}
+
+// Tells the searches for contacts what has moved. A curve whose element changes its length by d moves by no more than
+// |d| |S_2 + S_4|/L <= |d|/4 besides.
+void CableSystem::Impl::note_motion() {
+  double shortened = 0;
+  noted_rope_length.resize(static_cast<std::size_t>(ropes.rope_count()), 0.0);
+  for (std::int32_t rope = 0; rope < ropes.rope_count(); ++rope) {
+    double& noted = noted_rope_length[static_cast<std::size_t>(rope)];
+    shortened = std::max(shortened, std::abs(ropes.element_length(rope) - noted));
+    noted = ropes.element_length(rope);
+  }
+  constexpr double kRounding = 1 + 1e-9;
+  const double way = kRounding * (cords_way + 0.25 * shortened);
+  for (double& body : bodies_way) body *= kRounding;
+  contacts.note_motion(way, bodies_way);
+  if (cord_contacts) cord_contacts->note_way(way);
+  cords_way = 0;
+  std::ranges::fill(bodies_way, 0.0);
 }
 
 // A snapshot leaves the forces of the state behind: the next step need not compute them again.
@@ -111,7 +138,9 @@ void CableSystem::Impl::keep_forces_current(double dt) {
 
 void CableSystem::Impl::compute_forces(double dt) {
   update_ropes();
-  if (cord_contacts) cord_contacts->look_around(coordinates, velocities, element_length, dt, loop());
+  find_cord_speed();
+  note_motion();
+  if (cord_contacts) cord_contacts->look_around(coordinates, element_length, cord_speed, dt, loop());
   compute_element_forces([&] {
     applied.clear();
     for (Wrench& wrench : wrenches) wrench = Wrench{};
@@ -197,14 +226,26 @@ void CableSystem::Impl::move_slots(SlotVectors& v, SlotVectors& x, double kick, 
   consistent_mass->kick_and_drift(forces, mass, kick, drift, v, x);
 }
 
+// The springs of contacts stay as stiff as the first step makes them.
+void CableSystem::Impl::set_reference_step(double dt) {
+  reference_step = dt;
+  contacts.set_reference_step(dt);
+  if (cord_contacts) cord_contacts->set_reference_step(dt);
+  forget_forces();
+}
+
 void CableSystem::Impl::step(double dt) {
+  if (reference_step == 0) {
+    set_reference_step(dt);
+    begin_accounts();
+  }
   keep_forces_current(dt);
   // Velocities stand half a step of the previous size before the positions; at the start they stand with them.
   const double kick = 0.5 * (last_dt + dt);
-  const double power_before =
-      contacts.dissipated_power() + (cord_contacts ? cord_contacts->dissipated_power(velocities) : 0);
+  const contact_kernel::ContactPower before = contact_power();
   input_work += kick * element_power.fed;
-  dissipated += kick * (element_power.dissipated + hinge_power);
+  spent.in_cords += kick * element_power.dissipated;
+  spent.at_hinges += kick * hinge_power;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     impulses[b] += kick * contacts.force_on(static_cast<std::int32_t>(b));
   }
@@ -215,12 +256,32 @@ void CableSystem::Impl::step(double dt) {
   ropes_change += ropes.energy_change(coordinates, velocities);
   input_work -= 0.5 * ropes_change;
   ropes.finish_step();
-  for (std::size_t b = 0; b < bodies.size(); ++b) input_work += bodies[b].step(wrenches[b], controls[b], kick, dt);
+  for (std::size_t b = 0; b < bodies.size(); ++b) input_work += step_body(b, kick, dt);
   for (DynamicBody& body : bodies) body.move_attachments(coordinates, velocities);
-  dissipated += 0.5 * kick * (power_before + contact_power());
+  const contact_kernel::ContactPower after = contact_power();
+  // Rounding aside neither is negative.
+  spent.in_contacts += std::max(0.5 * kick * (before.damping + after.damping), 0.0);
+  spent.by_friction += std::max(0.5 * kick * (before.friction + after.friction), 0.0);
   time += dt;
   last_dt = dt;
   ++steps;
+  find_cord_speed();
+  cords_way += dt * cord_speed;  // of all that moves by itself
+}
+
+// Returns the work of the body's control. Between two poses a point at a distance a from the centre moves by no more
+// than the centre does and the chord of the turn, 2 a sin(angle/2).
+double CableSystem::Impl::step_body(std::size_t body, double kick, double dt) {
+  DynamicBody& moving = bodies[body];
+  const Eigen::Vector3d centre = moving.centre(), position = moving.rigid().position();
+  const Eigen::Quaterniond attitude = moving.rigid().attitude();
+  const double work = moving.step(wrenches[body], controls[body], kick, dt);
+  const double chord = 2 * (attitude.conjugate() * moving.rigid().attitude()).vec().norm();
+  bodies_way[body] += (moving.centre() - centre).norm() + chord * bounding_radius(model.bodies[body].shape);
+  if (!moving.attachments().empty()) {
+    cords_way += (moving.rigid().position() - position).norm() + chord * attachments_reach[body];
+  }
+  return work;
 }
 
 }  // namespace netpocket

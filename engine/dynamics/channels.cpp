@@ -119,7 +119,7 @@ void ChannelRecorder::fill(Snapshot& snapshot, const Structure& structure, Cable
   set(Channel::energy_kinetic, energy.kinetic);
   set(Channel::energy_strain, energy.strain);
   set(Channel::energy_input, energy.input);
-  set(Channel::energy_dissipated, energy.dissipated);
+  set(Channel::energy_dissipated, energy.spent.total());
   set(Channel::energy_error, energy.error);
   set(Channel::time_step, time_step);
 }

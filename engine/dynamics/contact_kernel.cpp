@@ -66,16 +66,28 @@ NETPOCKET_INLINE Lanes shared_inverse_mass(const ForceView& view, const ContactB
   return sum;
 }
 
-// stepped_normal_force
-NETPOCKET_INLINE Lanes normal_force(const ContactBlock& c, int part, const Lanes& before, const Lanes& after,
-                                    const Lanes& w, const Lanes& dt) {
-  const Lanes stiffness = load(c.stiffness, part);
-  const Lanes root = square_root(larger(load(c.penetration, part), broadcast(0.0)));
-  const Lanes elastic = stiffness * root * root * root;
-  const Lanes implicit = larger(broadcast(1.5) * stiffness * root * dt - broadcast(1.0) / (dt * w), broadcast(0.0));
+// stepped_normal_force, and what stops an approach that would pass the deepest penetration.
+struct Push {
+  Lanes force, is_stopped;
+};
+NETPOCKET_INLINE Push normal_force(const ForceView& view, const ContactBlock& c, int part, const Lanes& elastic,
+                                   const Lanes& before, const Lanes& after, const Lanes& w) {
+  const Lanes dt = broadcast(view.dt), zero = broadcast(0.0), one = broadcast(1.0), half = broadcast(0.5);
+  const Lanes stiffness = load(c.stiffness, part), penetration = load(c.penetration, part);
+  const Lanes root = square_root(larger(penetration, zero));
+  const Lanes implicit = larger(broadcast(1.5) * stiffness * root * dt - one / (dt * w), zero);
   const Lanes damping = load(c.damping, part) * square_root(root);
-  const Lanes unopposed = elastic - implicit * after - damping * broadcast(0.5) * (before + after);
-  return larger(unopposed / (broadcast(1.0) + dt * w * (implicit + broadcast(0.5) * damping)), broadcast(0.0));
+  const Lanes unopposed = elastic - implicit * after - damping * half * (before + after);
+  const Lanes push = unopposed / (one + dt * w * (implicit + half * damping));
+  const Lanes allowed = larger(load(c.deepest, part) - penetration, zero) / dt;
+  const Lanes stopping = (-allowed - after) / (dt * w);
+  const Lanes force = larger(push, zero);
+  return {larger(force, stopping), stopping > force ? one : zero};
+}
+
+NETPOCKET_INLINE Lanes spring_force(const ContactBlock& c, int part) {
+  const Lanes root = square_root(larger(load(c.penetration, part), broadcast(0.0)));
+  return load(c.stiffness, part) * root * root * root;
 }
 
 // sliding_resistance
@@ -88,32 +100,143 @@ NETPOCKET_INLINE Lanes resistance(const ForceView& view, const Lanes& normal_for
 
 }  // namespace
 
-double points(const ElementBlock& block, const Sample* samples, std::size_t count, const SlotRows& coordinates,
+// The nearest point of a chain is no nearer than its nearest vertex, but for half a capsule's length: by Pythagoras.
+void vertices(const ElementBlock& block, const Vertex* vertices, std::size_t count, const SlotRows& coordinates,
               const double* centre, double* rows) {
-  Lanes least[kParts] = {};
   for (int part = 0; part < kParts; ++part) {
     const Lanes length = load(block.length, part);
     const Lanes3 r1 = load_slot(coordinates, block, 0, part), g1 = load_slot(coordinates, block, 1, part);
     const Lanes3 r2 = load_slot(coordinates, block, 2, part), g2 = load_slot(coordinates, block, 3, part);
     double* out = rows;
+    Lanes nearest = {}, longest = {};
+    Lanes3 last = {};
     for (std::size_t i = 0; i < count; ++i) {
-      const Sample& sample = samples[i];
-      const Lanes3 point = (broadcast(sample.position1) * r1 + (length * broadcast(sample.gradient1)) * g1) +
-                           (broadcast(sample.position2) * r2 + (length * broadcast(sample.gradient2)) * g2);
+      const Vertex& vertex = vertices[i];
+      const Lanes3 point = (broadcast(vertex.position1) * r1 + (length * broadcast(vertex.gradient1)) * g1) +
+                           (broadcast(vertex.position2) * r2 + (length * broadcast(vertex.gradient2)) * g2);
       const Lanes3 arm = point - broadcast3(centre);
-      const Lanes distance = square_root(dot(arm, arm));
+      const Lanes square = dot(arm, arm);
       store3(out, 0, part, point);
-      store(out + 3 * kBlock, part, distance);
-      least[part] = out == rows ? distance : (distance < least[part] ? distance : least[part]);
-      out += kPointRows * kBlock;
+      if (i == 0) {
+        nearest = square;
+      } else {
+        const Lanes3 way = point - last;
+        nearest = square < nearest ? square : nearest;
+        longest = larger(longest, dot(way, way));
+      }
+      last = point;
+      out += kSlotRows * kBlock;
     }
+    store(out, part, square_root(larger(nearest - broadcast(0.25) * longest, broadcast(0.0))));
   }
-  double result = least[0][0];
-  for (int lane = 1; lane < kBlock; ++lane) {
-    const double distance = least[lane / kWidth][lane % kWidth];
-    result = distance < result ? distance : result;
+}
+
+namespace {
+
+NETPOCKET_INLINE Lanes smaller(const Lanes& a, const Lanes& b) { return a < b ? a : b; }
+
+// A capsule's axis against the sphere.
+struct Piece {
+  Lanes3 start, along;     // from the sphere's centre
+  Lanes nearest;           // way along it, 0 to 1
+  Lanes depth;             // there
+  Lanes slope;             // of the depth there, 0 between the ends
+  Lanes at_start, at_end;  // depths
+};
+
+// A place in a piece: estimated depth, weight, and what both are worth.
+struct Estimate {
+  Lanes t, weight, score;
+};
+
+NETPOCKET_INLINE Piece make_piece(const Lanes3& start, const Lanes3& end, const Lanes& at_start, const Lanes& at_end,
+                                  const Lanes& thickness) {
+  const Lanes zero = broadcast(0.0), one = broadcast(1.0);
+  Piece piece{start, end - start, zero, zero, zero, at_start, at_end};
+  const Lanes square = dot(piece.along, piece.along);
+  const Lanes way = -dot(start, piece.along) / larger(square, broadcast(1e-300));
+  piece.nearest = smaller(larger(way, zero), one);
+  const Lanes3 arm = start + piece.nearest * piece.along;
+  const Lanes distance = square_root(dot(arm, arm));
+  piece.depth = thickness - distance;
+  const Lanes slope = -dot(arm, piece.along) / distance;
+  piece.slope = way > zero && way < one ? zero : slope;
+  return piece;
+}
+
+// estimate_deepest of segment_contact.h, in the same notation; the weight rises or falls by a half along the piece.
+NETPOCKET_INLINE Estimate estimate(const Piece& piece, double at_start, double at_end) {
+  const Lanes zero = broadcast(0.0);
+  const Lanes rise = broadcast(at_end - at_start), here = broadcast(at_start) + rise * piece.nearest;
+  const Lanes end = broadcast(at_end > at_start ? 1.0 : 0.0), known = at_end > at_start ? piece.at_end : piece.at_start;
+  const Lanes way = end - piece.nearest;
+  const Lanes square_way = way * way;
+  const Lanes bend = smaller((known - piece.depth - piece.slope * way) / larger(square_way, broadcast(1e-30)), zero);
+  const Lanes square = broadcast(6.0) * rise * bend;
+  const Lanes linear = broadcast(3.5) * rise * piece.slope + broadcast(5.0) * here * bend;
+  const Lanes constant = rise * piece.depth + broadcast(2.5) * here * piece.slope;
+  const Lanes root = square_root(larger(linear * linear - broadcast(4.0) * square * constant, zero));
+  const Lanes divisor = root - linear;
+  const Lanes found = broadcast(2.0) * constant / (divisor == zero ? broadcast(1e-300) : divisor);
+  const Lanes x = smaller(larger(found, smaller(way, zero)), larger(way, zero));
+  const Lanes depth = piece.depth + piece.slope * x + bend * x * x;
+  const Lanes weight = here + rise * x;
+  const Lanes score = weight * weight * ((depth * depth) * (depth * depth) * depth);
+  return {piece.nearest + x, weight, piece.depth > zero ? score : broadcast(-1.0)};
+}
+
+// Of two pieces the one that counts more, and its number.
+struct Choice {
+  Estimate estimate;
+  Lanes number;
+};
+NETPOCKET_INLINE Choice better(const Choice& a, const Choice& b) {
+  const auto second = b.estimate.score > a.estimate.score;
+  return {{second ? b.estimate.t : a.estimate.t, second ? b.estimate.weight : a.estimate.weight,
+           second ? b.estimate.score : a.estimate.score},
+          second ? b.number : a.number};
+}
+
+NETPOCKET_INLINE void store_choice(const Piece* pieces, const Choice& choice, const Lanes& thickness, int holder,
+                                   int part, SpherePlaces& places) {
+  Lanes depth = broadcast(0.0);
+  for (int i = 0; i < 4; ++i) {
+    const Lanes3 arm = pieces[i].start + choice.estimate.t * pieces[i].along;
+    const Lanes here = thickness - square_root(dot(arm, arm));
+    depth = choice.number == broadcast(static_cast<double>(i)) ? here : depth;
   }
-  return result;
+  store(places.place[holder], part, choice.number + choice.estimate.t);
+  store(places.depth[holder], part, choice.estimate.score > broadcast(0.0) ? depth : broadcast(0.0));
+  store(places.share[holder], part, choice.estimate.weight);
+}
+
+}  // namespace
+
+void sphere_places(const double* vertices, const double* centre, const double* thickness, SpherePlaces& places) {
+  for (int part = 0; part < kParts; ++part) {
+    const Lanes thick = load(thickness, part);
+    Lanes3 arm[5];
+    Lanes depth[5];
+    for (int i = 0; i < 5; ++i) {
+      const double* row = vertices + i * kSlotRows * kBlock;
+      arm[i] = Lanes3{load(row, part), load(row + kBlock, part), load(row + 2 * kBlock, part)} - broadcast3(centre);
+      depth[i] = thick - square_root(dot(arm[i], arm[i]));
+    }
+    Piece pieces[4];
+    Lanes deepest = depth[0];
+    for (int i = 0; i < 4; ++i) {
+      pieces[i] = make_piece(arm[i], arm[i + 1], depth[i], depth[i + 1], thick);
+      deepest = larger(deepest, pieces[i].depth);
+    }
+    store(places.clearance, part, -deepest);
+    const auto choose = [&](int first, double a, double b, double c) {
+      return better({estimate(pieces[first], a, b), broadcast(static_cast<double>(first))},
+                    {estimate(pieces[first + 1], b, c), broadcast(static_cast<double>(first + 1))});
+    };
+    store_choice(pieces, choose(0, 1, 0.5, 0), thick, 0, part, places);
+    store_choice(pieces, better(choose(0, 0, 0.5, 1), choose(2, 1, 0.5, 0)), thick, 1, part, places);
+    store_choice(pieces, choose(2, 0, 0.5, 1), thick, 2, part, places);
+  }
 }
 
 void forces(const ForceView& view, const BodyMotion& body, ContactBlock* contacts, std::size_t count) {
@@ -129,27 +252,36 @@ void forces(const ForceView& view, const BodyMotion& body, ContactBlock* contact
       const Lanes3 before = velocity_at_slots(view.velocities, c, part) - surface;
       const Lanes3 after = velocity_at_places(view.predicted, c, part) - surface;
       const Lanes separation = dot(after, normal);
-      const Lanes push = normal_force(c, part, dot(before, normal), separation, w, broadcast(view.dt));
+      const Lanes elastic = spring_force(c, part), share = load(c.share, part);
+      const auto [push, is_stopped] = normal_force(view, c, part, elastic, dot(before, normal), separation, w);
       const Lanes3 sliding = after - separation * normal;
       const Lanes3 force = push * normal - resistance(view, push, square_root(dot(sliding, sliding)), w) * sliding;
-      store3(c.velocity[0], 0, part, before);
-      store3(c.force[0], 0, part, force);
+      store3(c.force[0], 0, part, share * force);
+      store(c.normal_force, part, share * push);
+      store(c.elastic, part, share * elastic);
+      store(c.is_stopped, part, is_stopped);
     }
   }
 }
 
-double power(const SlotRows& velocities, const BodyMotion& body, const ContactBlock* contacts, std::size_t count) {
-  Lanes sum[kParts] = {};
+ContactPower power(const SlotRows& velocities, const BodyMotion& body, const ContactBlock* contacts,
+                   std::size_t count) {
+  Lanes damping[kParts] = {}, friction[kParts] = {};
   for (std::size_t i = 0; i < count; ++i) {
     const ContactBlock& c = contacts[i];
     for (int part = 0; part < kParts; ++part) {
-      const Lanes3 arm = load3(c.point, part) - broadcast3(body.position);
+      const Lanes3 arm = load3(c.point, part) - broadcast3(body.position), normal = load3(c.normal, part);
       const Lanes3 velocity = velocity_at_slots(velocities.first, c, part) - body_velocity(body, arm);
-      sum[part] = sum[part] - dot(load3(c.force, part), velocity);
+      const Lanes separation = dot(velocity, normal), push = load(c.normal_force, part);
+      damping[part] = damping[part] - (push - load(c.elastic, part)) * separation;
+      friction[part] = friction[part] - (dot(load3(c.force, part), velocity) - push * separation);
     }
   }
-  double total = 0;
-  for (int lane = 0; lane < kBlock; ++lane) total += sum[lane / kWidth][lane % kWidth];
+  ContactPower total;
+  for (int lane = 0; lane < kBlock; ++lane) {
+    total.damping += damping[lane / kWidth][lane % kWidth];
+    total.friction += friction[lane / kWidth][lane % kWidth];
+  }
   return total;
 }
 

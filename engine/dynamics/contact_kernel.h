@@ -14,10 +14,14 @@ struct alignas(64) ContactBlock {
   double weight[4][kBlockSize];  // shape functions at the contact point
   double point[3][kBlockSize];   // m, on the cable's axis: where the force acts on both, so that their moments balance
   double normal[3][kBlockSize];  // outward from the body
-  double penetration[kBlockSize];                     // m
+  double penetration[kBlockSize];                     // m; negative: still apart, but within the step's way
   double stiffness[kBlockSize], damping[kBlockSize];  // NormalLaw
-  double velocity[3][kBlockSize];                     // m/s, of the cable relative to the body, before the step
+  double deepest[kBlockSize];                         // m, penetration that no approach may pass
+  double share[kBlockSize];                           // of the cord's contact there, 0 to 1
   double force[3][kBlockSize];                        // N, on the cable
+  double normal_force[kBlockSize];                    // N, >= 0
+  double elastic[kBlockSize];                         // N, of the spring alone
+  double is_stopped[kBlockSize];  // 1 where the force ends the approach at the greatest depth, else 0
   std::int32_t slot[4][kBlockSize];
   std::int32_t place[4][kBlockSize];  // of the slot's block in ContactedSlots
   std::int32_t element[kBlockSize];
@@ -27,8 +31,8 @@ struct alignas(64) ContactBlock {
 
 namespace contact_kernel {
 
-// Shape functions at a contact point of an element of unit length.
-struct Sample {
+// Shape functions at a vertex of the chain of capsules, for an element of unit length.
+struct Vertex {
   double position1, gradient1, position2, gradient2;
 };
 
@@ -38,7 +42,7 @@ struct BodyMotion {
   double angular_velocity[3];       // rad/s
   double inverse_mass;              // 1/kg
   double inverse_inertia;           // 1/(kg m^2), largest
-  double contacts;                  // that share the body's inertia
+  double contacts;                  // that share the body's inertia: the sum of their shares
 };
 
 struct ForceView {
@@ -49,32 +53,49 @@ struct ForceView {
   double friction, friction_velocity, dt;
 };
 
-// Rows that `points` fills for each sample: x, y, z of the point, its distance from `centre`.
-inline constexpr int kPointRows = 4;
-
-// Contact points of the elements of a block. Returns the least distance.
-using PointKernel = double (*)(const ElementBlock& block, const Sample* samples, std::size_t count,
-                               const SlotRows& coordinates, const double* centre, double* rows);
-// Velocity and force of contacts with one body.
+// Vertices (m) of the chains of the elements of a block into three rows each (x, y, z), `count` of them, then a row
+// with a lower bound of each chain's distance from `centre`.
+using VertexKernel = void (*)(const ElementBlock& block, const Vertex* vertices, std::size_t count,
+                              const SlotRows& coordinates, const double* centre, double* rows);
+// Where the chains of four capsules of eight elements touch a sphere that is much larger than a capsule is long, by the
+// points that share an element (contact_search.h): its first node, its middle, its second node.
+struct alignas(64) SpherePlaces {
+  double clearance[kBlockSize];  // m, of the surfaces
+  double place[3][kBlockSize];   // segment and way along it, 0 to 4
+  double depth[3][kBlockSize];   // m; not positive: no contact
+  double share[3][kBlockSize];
+};
+// `vertices`: rows as VertexKernel fills them, of five vertices. `thickness`: by lane, the sphere's radius and the
+// cord's (m). `centre` of the sphere.
+using SphereKernel = void (*)(const double* vertices, const double* centre, const double* thickness,
+                              SpherePlaces& places);
+// Forces of contacts with one body.
 using ForceKernel = void (*)(const ForceView& view, const BodyMotion& body, ContactBlock* contacts, std::size_t count);
-// Power (W) that the contacts take out of the motion at these velocities.
-using PowerKernel = double (*)(const SlotRows& velocities, const BodyMotion& body, const ContactBlock* contacts,
-                               std::size_t count);
+// What contacts take out of the motion at these velocities, W.
+struct ContactPower {
+  double damping = 0;  // by the dampers, and by what stops a cord within a step
+  double friction = 0;
+};
+using PowerKernel = ContactPower (*)(const SlotRows& velocities, const BodyMotion& body, const ContactBlock* contacts,
+                                     std::size_t count);
 
 namespace baseline {
-double points(const ElementBlock&, const Sample*, std::size_t, const SlotRows&, const double*, double*);
+void vertices(const ElementBlock&, const Vertex*, std::size_t, const SlotRows&, const double*, double*);
+void sphere_places(const double*, const double*, const double*, SpherePlaces&);
 void forces(const ForceView&, const BodyMotion&, ContactBlock*, std::size_t);
-double power(const SlotRows&, const BodyMotion&, const ContactBlock*, std::size_t);
+ContactPower power(const SlotRows&, const BodyMotion&, const ContactBlock*, std::size_t);
 }  // namespace baseline
 namespace avx2 {
-double points(const ElementBlock&, const Sample*, std::size_t, const SlotRows&, const double*, double*);
+void vertices(const ElementBlock&, const Vertex*, std::size_t, const SlotRows&, const double*, double*);
+void sphere_places(const double*, const double*, const double*, SpherePlaces&);
 void forces(const ForceView&, const BodyMotion&, ContactBlock*, std::size_t);
-double power(const SlotRows&, const BodyMotion&, const ContactBlock*, std::size_t);
+ContactPower power(const SlotRows&, const BodyMotion&, const ContactBlock*, std::size_t);
 }  // namespace avx2
 namespace avx512 {
-double points(const ElementBlock&, const Sample*, std::size_t, const SlotRows&, const double*, double*);
+void vertices(const ElementBlock&, const Vertex*, std::size_t, const SlotRows&, const double*, double*);
+void sphere_places(const double*, const double*, const double*, SpherePlaces&);
 void forces(const ForceView&, const BodyMotion&, ContactBlock*, std::size_t);
-double power(const SlotRows&, const BodyMotion&, const ContactBlock*, std::size_t);
+ContactPower power(const SlotRows&, const BodyMotion&, const ContactBlock*, std::size_t);
 }  // namespace avx512
 
 }  // namespace contact_kernel

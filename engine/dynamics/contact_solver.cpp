@@ -2,50 +2,48 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "engine/ancf/instruction_set.h"
-#include "engine/ancf/shape_functions.h"
 #include "engine/bodies/symmetric_algebra.h"
-#include "engine/dynamics/survey_interval.h"
+#include "engine/dynamics/cord_chain.h"
 
 namespace netpocket {
 namespace {
 
 using Eigen::Vector3d;
 
-// The farthest (m) that anything may travel between two surveys of which elements are near a body.
-constexpr double kLongestTravel = 0.03;
-// Clearance (m) below which an element counts as near, besides what it may move until the next survey.
-constexpr double kNearMargin = 0.02;
-// Inflation (m) of the boxes in the broad phase.
-constexpr double kBroadMargin = 0.3;
-static_assert(kLongestTravel <= BroadPhase::kLeastInHand * kBroadMargin);
+// Speed of impact (m/s) for which the springs are deep enough. What presses deeper is stopped there within a step.
+constexpr double kSoftImpact = 10;
+// Part of a solid's thickness that a cord may press in: well before the other side becomes the nearer one.
+constexpr double kThicknessPart = 0.25;
+// A step whose way, doubled, is less than this many radii of the thinnest cord needs no look ahead: a cord is then
+// found before it is deeper than its radius.
+constexpr double kShortWay = 2;
+// Factor on the way of the last step for what the next one may be longer.
+constexpr double kGrowingWay = 2;
 
 struct Kernels {
-  contact_kernel::PointKernel points;
   contact_kernel::ForceKernel forces;
   contact_kernel::PowerKernel power;
 };
 
 const Kernels& kernels() {
   using namespace contact_kernel;
-  static const Kernels chosen = {choose_variant(baseline::points, avx2::points, avx512::points),
-                                 choose_variant(baseline::forces, avx2::forces, avx512::forces),
+  static const Kernels chosen = {choose_variant(baseline::forces, avx2::forces, avx512::forces),
                                  choose_variant(baseline::power, avx2::power, avx512::power)};
   return chosen;
 }
 
 void copy(const Vector3d& vector, double* out) { std::copy_n(vector.data(), 3, out); }
 
-contact_kernel::BodyMotion motion_of(const DynamicBody& body, int contacts) {
+contact_kernel::BodyMotion motion_of(const DynamicBody& body, double shares) {
   contact_kernel::BodyMotion motion{};
   copy(body.rigid().position(), motion.position);
   copy(body.rigid().velocity(), motion.velocity);
   copy(body.rigid().angular_velocity(), motion.angular_velocity);
   motion.inverse_mass = body.inverse_mass();
   motion.inverse_inertia = body.largest_inverse_inertia();
-  motion.contacts = contacts;
+  motion.contacts = shares;
   return motion;
 }
 
@@ -61,7 +59,8 @@ void fill_idle_lanes(ContactBlock& block) {
       block.point[axis][lane] = block.point[axis][0];
       block.normal[axis][lane] = 0;
     }
-    block.penetration[lane] = block.stiffness[lane] = block.damping[lane] = 0;
+    block.penetration[lane] = block.stiffness[lane] = block.damping[lane] = block.deepest[lane] = 0;
+    block.share[lane] = 0;
   }
 }
 
@@ -69,278 +68,172 @@ void fill_idle_lanes(ContactBlock& block) {
 
 ContactSolver::ContactSolver(const Model& model, const SlotLayout& layout)
     : model_(model),
-      layout_(layout),
+      polyline_(model, layout),
       settings_(model.contact),
       damping_(restitution_damping(model.contact.restitution)),
-      broad_phase_(static_cast<int>(model.elements.size()), kBroadMargin),
-      motion_(model),
       body_force_(model.bodies.size(), Vector3d::Zero()) {
-  const int count = settings_.samples_per_element;
-  for (int i = 0; i < count; ++i) {
-    const NodalWeights weights = shape((2.0 * i + 1.0 - count) / count, 1.0);
-    samples_.push_back({weights[0], weights[1], weights[2], weights[3]});
-  }
-  points_.resize(samples_.size() * contact_kernel::kPointRows * kBlockSize);
-  const std::size_t blocks = (model.elements.size() + kBlockSize - 1) / kBlockSize;
-  thickest_.resize(blocks, 0.0);
-  for (std::size_t i = 0; i < model.elements.size(); ++i) {
-    double& thickest = thickest_[i / kBlockSize];
-    thickest = std::max(thickest, model.radius_of(static_cast<std::int32_t>(i)));
-  }
+  const std::vector<std::int32_t> next = next_elements(model);
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    const Shape& shape = model.bodies[b].shape;
-    partners_.push_back({.bounding_radius = bounding_radius(shape),
-                         .is_sphere = std::holds_alternative<Sphere>(shape),
-                         .tracker = SurfaceTracker(shape, model.elements.size() * samples_.size()),
-                         .touchable = std::vector<std::uint8_t>(blocks, 0),
-                         .due = std::vector<double>(blocks, 0.0),
-                         .pairs = std::vector<std::int32_t>(blocks, -1),
-                         .near = {}});
-    for (std::size_t i = 0; i < model.elements.size(); ++i) {
-      const auto attached = [&](std::int32_t node) {
-        return model.nodes[node].support == Support::body && model.nodes[node].body == static_cast<std::int32_t>(b);
-      };
-      if (attached(model.elements[i].node1) || attached(model.elements[i].node2)) continue;
-      if (model.radius_of(static_cast<std::int32_t>(i)) <= 0) continue;
-      partners_[b].touchable[i / kBlockSize] |= static_cast<std::uint8_t>(1U << i % kBlockSize);
-    }
-  }
-}
-
-ContactSolver::Pairs ContactSolver::make_pairs(std::int32_t block, std::int32_t body_index) const {
-  Pairs pairs{};
-  const ModelBody& body = model_.bodies[body_index];
-  for (int lane = 0; lane < kBlockSize; ++lane) {
-    const std::int32_t element = block * kBlockSize + lane;
-    if (element >= static_cast<std::int32_t>(model_.elements.size())) break;
-    const CableMaterial& material = model_.material_of(element);
-    const double modulus =
-        effective_modulus({material.youngs_modulus, material.poisson_ratio}, {body.youngs_modulus, body.poisson_ratio});
-    pairs.stiffness[lane] = hertz_stiffness(modulus, effective_radius(material.radius, contact_radius(body.shape)));
-    const double tributary =
-        material.section.mass_per_length * model_.elements[element].length / settings_.samples_per_element;
-    pairs.mass[lane] = effective_mass(tributary, body.mass);
-  }
-  return pairs;
-}
-
-// The laws of a block's elements, by lane.
-const NormalLaw* ContactSolver::laws(std::int32_t block, std::int32_t body, double dt) {
-  std::int32_t& place = partners_[body].pairs[block];
-  if (place < 0) {
-    place = static_cast<std::int32_t>(pairs_.size());
-    pairs_.push_back(make_pairs(block, body));
-  }
-  Pairs& pairs = pairs_[place];
-  if (pairs.law_step != dt) {
-    for (int lane = 0; lane < kBlockSize; ++lane) {
-      const double stiffness = std::min(pairs.stiffness[lane], resolved_stiffness(pairs.mass[lane], dt));
-      pairs.law[lane] = {stiffness, damping_ * std::sqrt(stiffness * pairs.mass[lane])};
-    }
-    pairs.law_step = dt;
-  }
-  return pairs.law;
-}
-
-// Calls function(length) for each element of a rope, m.
-template <typename Function>
-void ContactSolver::for_each_rope_element(const ElementBatch& batch, const Function& function) const {
-  for (const VariableRope& rope : model_.ropes) {
-    for (const std::int32_t element : rope.elements) {
-      function(batch.block(element / kBlockSize).length[element % kBlockSize]);
-    }
-  }
-}
-
-// A curve whose element changes its length by d moves by no more than |d| |S_2 + S_4|/L <= |d|/4 besides.
-double ContactSolver::way_since_built(const SlotVectors& coordinates, const ElementBatch& batch) const {
-  double change = 0;
-  std::size_t place = 0;
-  for_each_rope_element(
-      batch, [&](double length) { change = std::max(change, std::abs(length - built_rope_length_[place++])); });
-  return motion_.way(built_coordinates_, coordinates) + 0.25 * change;
-}
-
-bool ContactSolver::update_broad_phase(const SlotVectors& coordinates, const ElementBatch& batch,
-                                       const std::vector<DynamicBody>& bodies) {
-  std::vector<PlacedShape> shapes;
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    shapes.push_back({model_.bodies[b].shape, bodies[b].centre(), bodies[b].rigid().rotation()});
-  }
-  const bool is_built = built_coordinates_.size() == coordinates.size();
-  if (is_built && broad_phase_.keep(way_since_built(coordinates, batch), shapes)) return true;
-  std::vector<Eigen::AlignedBox3d> boxes;
-  boxes.reserve(model_.elements.size());
-  for (std::size_t i = 0; i < model_.elements.size(); ++i) {
-    const ElementBlock& block = batch.block(static_cast<int>(i) / kBlockSize);
-    const std::size_t lane = i % kBlockSize;
-    boxes.push_back(curve_bounds(coordinates,
-                                 {block.slot[0][lane], block.slot[1][lane], block.slot[2][lane], block.slot[3][lane]},
-                                 block.length[lane], model_.radius_of(static_cast<std::int32_t>(i))));
-  }
-  const bool lost = !std::ranges::all_of(boxes, is_sound) || !std::ranges::all_of(bodies, [](const DynamicBody& body) {
-    return is_sound(Eigen::AlignedBox3d(body.centre()));
-  });
-  if (lost) return false;
-  broad_phase_.rebuild(boxes, shapes);
-  built_coordinates_ = coordinates;
-  built_rope_length_.clear();
-  for_each_rope_element(batch, [&](double length) { built_rope_length_.push_back(length); });
-  return true;
-}
-
-template <typename Touch>
-double ContactSolver::clearance(std::int32_t block, std::int32_t body, double margin, const SlotVectors& coordinates,
-                                const ElementBatch& batch, const DynamicBody& dynamic, const Touch& touch) {
-  Partner& partner = partners_[body];
-  const Vector3d centre = dynamic.centre();
-  const double nearest_centre = kernels().points(batch.block(block), samples_.data(), samples_.size(),
-                                                 coordinates.rows(), centre.data(), points_.data());
-  const double bound = nearest_centre - partner.bounding_radius - thickest_[block];
-  if (bound > margin) return bound;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t sample = 0; sample < samples_.size(); ++sample) {
-    const double* rows = points_.data() + sample * contact_kernel::kPointRows * kBlockSize;
-    for (int lane = 0; lane < kBlockSize; ++lane) {
-      if ((partner.touchable[block] >> lane & 1) == 0) continue;
-      const std::int32_t element = block * kBlockSize + lane;
-      const double radius = model_.radius_of(element);
-      const double outside = rows[3 * kBlockSize + lane] - partner.bounding_radius - radius;
-      if (outside > margin || (partner.is_sphere && outside >= 0)) {
-        least = std::min(least, outside);
-        continue;
-      }
-      const Vector3d point(rows[lane], rows[kBlockSize + lane], rows[2 * kBlockSize + lane]);
-      const Vector3d local = symmetric_transposed_product(dynamic.rigid().rotation(), point - centre);
-      double distance = 0;
-      const auto nearest =
-          partner.tracker.nearest(element * samples_.size() + sample, local, margin + radius, distance);
-      least = std::min(least, distance - radius);
-      if (nearest && nearest->distance < radius) touch(element, lane, sample, point, *nearest);
-    }
-  }
-  return least;
-}
-
-double ContactSolver::fastest(const SlotVectors& velocities, const std::vector<DynamicBody>& bodies) const {
-  double fastest = std::sqrt(velocities.squared_norms(0, layout_.node_count).maxCoeff());
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const double rim = bodies[b].rigid().angular_velocity().norm() * bounding_radius(model_.bodies[b].shape);
-    fastest = std::max(fastest, bodies[b].rigid().velocity().norm() + rim);
-  }
-  return fastest;
-}
-
-void ContactSolver::survey(const SlotVectors& coordinates, const SlotVectors& velocities, const ElementBatch& batch,
-                           const std::vector<DynamicBody>& bodies, double dt) {
-  // Twice the present speed for what speeds up meanwhile, as far again for the other partner's motion.
-  const double travel_per_step = 2 * fastest(velocities, bodies) * dt;
-  steps_to_survey_ = survey_interval(travel_per_step, kLongestTravel);
-  const double travel = travel_per_step * steps_to_survey_;
-  if (broad_phase_.advance(travel)) {
-    if (!update_broad_phase(coordinates, batch, bodies)) {
-      for (Partner& partner : partners_) partner.near.clear();
-      return;
-    }
-    broad_phase_.advance(travel);
-  }
-  approach_per_step_ = 2 * travel_per_step;
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    update_near(static_cast<std::int32_t>(b), kNearMargin + 2 * travel, coordinates, batch, bodies[b]);
-  }
-}
-
-void ContactSolver::update_near(std::int32_t body, double margin, const SlotVectors& coordinates,
-                                const ElementBatch& batch, const DynamicBody& dynamic) {
-  Partner& partner = partners_[body];
-  partner.near.clear();
-  if (!model_.bodies[body].touches_cables) return;
-  std::int32_t last = -1;
-  for (const int element : broad_phase_.candidates(body)) {
-    const std::int32_t block = element / kBlockSize;
-    if (block == last || partner.touchable[block] == 0) continue;
-    last = block;
-    double& due = partner.due[block];
-    if (due > approach_ + margin) continue;
-    due = approach_ + clearance(block, body, margin, coordinates, batch, dynamic, [](const auto&...) {});
-    if (!(due > approach_ + margin)) partner.near.push_back(block);
+    ContactSearch search(model, next, static_cast<std::int32_t>(b));
+    std::vector<std::vector<Law>> laws(search.parts().size());
+    partners_.push_back({.search = std::move(search), .laws = std::move(laws)});
   }
 }
 
 void ContactSolver::forget_candidates() {
-  steps_to_survey_ = 0;
-  approach_ = 0;
-  for (Partner& partner : partners_) std::ranges::fill(partner.due, 0.0);
-  broad_phase_.advance(std::numeric_limits<double>::infinity());
+  for (Partner& partner : partners_) partner.search.forget();
 }
 
-void ContactSolver::add_contact(std::int32_t body, const ElementBlock& block, std::int32_t element, std::size_t sample,
-                                const Vector3d& point, const Vector3d& normal, double penetration,
-                                const NormalLaw& law) {
-  Partner& partner = partners_[body];
+void ContactSolver::set_reference_step(double dt) {
+  reference_step_ = dt;
+  for (Partner& partner : partners_) partner.laws.assign(partner.search.parts().size(), {});
+}
+
+void ContactSolver::note_motion(double cords, std::span<const double> bodies) {
+  for (std::size_t b = 0; b < partners_.size(); ++b) {
+    partners_[b].search.note_way(cords + bodies[b]);
+  }
+}
+
+// The cord's mass that belongs to the place: of half an element, at the end of a cord of a quarter.
+ContactSolver::Law ContactSolver::make_law(const CordTouch& touch, std::int32_t body) const {
+  const CableMaterial& material = model_.material_of(touch.element);
+  const ModelBody& partner = model_.bodies[static_cast<std::size_t>(body)];
+  const double modulus = effective_modulus({material.youngs_modulus, material.poisson_ratio},
+                                           {partner.youngs_modulus, partner.poisson_ratio});
+  const double of_materials =
+      hertz_stiffness(modulus, effective_radius(material.radius, contact_radius(partner.shape)));
+  const double part = (touch.is_cord_end ? 0.5 : 1.0) / ContactSearch::kHalves;
+  const double length = part * model_.elements[static_cast<std::size_t>(touch.element)].length;
+  const double mass = effective_mass(material.section.mass_per_length * length, partner.mass);
+  const double stiffness = std::min(of_materials, resolved_stiffness(mass, reference_step_));
+  const ContactPart& solid =
+      partners_[static_cast<std::size_t>(body)].search.parts()[static_cast<std::size_t>(touch.part)];
+  return {{stiffness, damping_ * std::sqrt(stiffness * mass)},
+          std::min(depth_of_impact(mass, stiffness, kSoftImpact), material.radius + kThicknessPart * solid.thickness)};
+}
+
+const ContactSolver::Law& ContactSolver::law_of(const CordTouch& touch, std::int32_t body) {
+  std::vector<Law>& laws = partners_[static_cast<std::size_t>(body)].laws[static_cast<std::size_t>(touch.part)];
+  if (laws.empty()) laws.resize(2 * model_.elements.size());
+  Law& law = laws[2 * static_cast<std::size_t>(touch.element) + (touch.is_cord_end ? 1 : 0)];
+  if (law.law.stiffness == 0) law = make_law(touch, body);
+  return law;
+}
+
+// Shape functions at a touched place of an element of `length` (m).
+ElementWeights ContactSolver::weights_at(const CordTouch& touch, double length) const {
+  const ElementWeights start = polyline_.weights(touch.segment, length);
+  const ElementWeights end = polyline_.weights(touch.segment + 1, length);
+  ElementWeights weights{};
+  for (std::size_t i = 0; i < 4; ++i) weights[i] = (1 - touch.t) * start[i] + touch.t * end[i];
+  return weights;
+}
+
+void ContactSolver::add_contact(std::int32_t body, const CordTouch& touch, double length) {
+  Partner& partner = partners_[static_cast<std::size_t>(body)];
   if (partner.first == contacts_.size() || contacts_.back().count == kBlockSize) {
     contacts_.emplace_back();
     contacts_.back().body = body;
   }
-  ContactBlock& contact = contacts_.back();
-  const int lane = contact.count++, element_lane = element % kBlockSize;
-  const contact_kernel::Sample& unit = samples_[sample];
-  const double length = block.length[element_lane];
-  const double weight[4] = {unit.position1, length * unit.gradient1, unit.position2, length * unit.gradient2};
-  for (int corner = 0; corner < 4; ++corner) {
-    contact.weight[corner][lane] = weight[corner];
-    contact.slot[corner][lane] = block.slot[corner][element_lane];
+  ContactBlock& block = contacts_.back();
+  const int lane = block.count++;
+  const ElementWeights weights = weights_at(touch, length);
+  const ElementSlots slots = polyline_.slots(touch.element);
+  for (std::size_t corner = 0; corner < 4; ++corner) {
+    block.weight[corner][lane] = weights[corner];
+    block.slot[corner][lane] = slots[corner];
   }
   for (int axis = 0; axis < 3; ++axis) {
-    contact.point[axis][lane] = point[axis];
-    contact.normal[axis][lane] = normal[axis];
+    block.point[axis][lane] = touch.point[axis];
+    block.normal[axis][lane] = touch.normal[axis];
   }
-  contact.penetration[lane] = penetration;
-  contact.stiffness[lane] = law.stiffness;
-  contact.damping[lane] = law.damping;
-  contact.element[lane] = element;
-  ++partner.contacts;
+  const Law& law = law_of(touch, body);
+  block.penetration[lane] = touch.penetration;
+  block.stiffness[lane] = law.law.stiffness;
+  block.damping[lane] = law.law.damping;
+  block.deepest[lane] = law.deepest;
+  block.share[lane] = touch.share;
+  block.element[lane] = touch.element;
+  partner.shares += touch.share;
 }
 
-void ContactSolver::find_contacts(std::int32_t body, const SlotVectors& coordinates, const ElementBatch& batch,
-                                  const DynamicBody& dynamic, double dt) {
-  Partner& partner = partners_[body];
-  partner.first = contacts_.size();
-  partner.contacts = 0;
-  for (const std::int32_t block : partner.near) {
-    if (partner.due[block] > approach_) continue;
-    const auto touch = [&](std::int32_t element, int lane, std::size_t sample, const Vector3d& point,
-                           const SurfacePoint& nearest) {
-      const double penetration = model_.radius_of(element) - nearest.distance;
-      deepest_penetration_ = std::max(deepest_penetration_, penetration);
-      add_contact(body, batch.block(block), element, sample, point,
-                  symmetric_product(dynamic.rigid().rotation(), nearest.normal), penetration,
-                  laws(block, body, dt)[lane]);
-    };
-    partner.due[block] = approach_ + clearance(block, body, 0, coordinates, batch, dynamic, touch);
+// Follows the place along its way relative to the body by its distance from it, which no point can do in less.
+bool ContactSolver::hits_within_step(const CordTouch& touch, std::int32_t body, double length,
+                                     const SlotVectors& velocities, const DynamicBody& dynamic, double dt) const {
+  const Vector3d velocity = combine(velocities, polyline_.slots(touch.element), weights_at(touch, length)) -
+                            dynamic.rigid().velocity_at(touch.point);
+  const double speed = symmetric_norm(velocity), radius = model_.radius_of(touch.element);
+  if (!(symmetric_dot(velocity, touch.normal) < 0)) return false;
+  const ContactPart& part =
+      partners_[static_cast<std::size_t>(body)].search.parts()[static_cast<std::size_t>(touch.part)];
+  const double least = 0.01 * radius;
+  double time = 0, gap = -touch.penetration;
+  while (gap > least) {
+    time += gap / speed;
+    if (time > kGrowingWay * dt) return false;
+    const Vector3d there = touch.point + time * velocity - dynamic.centre();
+    gap = part.nearest(symmetric_transposed_product(dynamic.rigid().rotation(), there)).distance - radius;
+  }
+  return true;
+}
+
+// How near (m) a cord must be to the body to touch it within the step, if it speeds up no more than by kGrowingWay.
+double ContactSolver::way_ahead(std::int32_t body, const DynamicBody& dynamic, double cord_speed, double dt) const {
+  const ContactSearch& search = partners_[static_cast<std::size_t>(body)].search;
+  const RigidBody& rigid = dynamic.rigid();
+  const double centre_speed = symmetric_norm(rigid.velocity_at(dynamic.centre()));
+  const double rim_speed = symmetric_norm(rigid.angular_velocity()) * search.bounding_radius();
+  const double way = kGrowingWay * dt * (cord_speed + centre_speed + rim_speed);
+  return way > kShortWay * search.smallest_radius() ? way : 0;
+}
+
+void ContactSolver::find_contacts(std::int32_t body, const SlotVectors& coordinates, const SlotVectors& velocities,
+                                  const ElementBatch& batch, const DynamicBody& dynamic, double cord_speed, double dt) {
+  Partner& partner = partners_[static_cast<std::size_t>(body)];
+  partner.first = partner.last = contacts_.size();
+  partner.shares = 0;
+  if (!is_sound(Eigen::AlignedBox3d(dynamic.centre()))) return;
+  partner.search.find(coordinates, batch, dynamic, way_ahead(body, dynamic, cord_speed, dt), touches_);
+  for (const CordTouch& touch : touches_) {
+    const double length = batch.block(touch.element / kBlockSize).length[touch.element % kBlockSize];
+    if (touch.penetration > 0) {
+      deepest_penetration_ = std::max(deepest_penetration_, touch.penetration);
+    } else if (!hits_within_step(touch, body, length, velocities, dynamic, dt)) {
+      continue;
+    }
+    add_contact(body, touch, length);
   }
   partner.last = contacts_.size();
 }
 
+template <typename Function>
+void ContactSolver::for_each_corner(std::span<ContactBlock> contacts, const Function& function) {
+  for (int corner = 0; corner < 4; ++corner) {
+    for (ContactBlock& block : contacts) {
+      for (int lane = 0; lane < block.count; ++lane) function(block, lane, corner);
+    }
+  }
+}
+
+void ContactSolver::share_inertia(ContactedSlots& contacted) {
+  for_each_corner(contacts_, [&](ContactBlock& block, int lane, int corner) {
+    block.place[corner][lane] =
+        contacted.share(block.slot[corner][lane], block.share[lane] * block.weight[corner][lane]);
+  });
+  for (ContactBlock& block : contacts_) fill_idle_lanes(block);
+}
+
 void ContactSolver::find(const SlotVectors& coordinates, const SlotVectors& velocities, const ElementBatch& batch,
-                         const std::vector<DynamicBody>& bodies, double dt, ContactedSlots& contacted) {
-  if (bodies.empty()) return;
-  if (steps_to_survey_ <= 0) survey(coordinates, velocities, batch, bodies, dt);
-  --steps_to_survey_;
-  approach_ += approach_per_step_;
+                         const std::vector<DynamicBody>& bodies, double cord_speed, double dt,
+                         ContactedSlots& contacted) {
   contacts_.clear();
   deepest_penetration_ = 0;
+  if (reference_step_ == 0) set_reference_step(dt);
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    find_contacts(static_cast<std::int32_t>(b), coordinates, batch, bodies[b], dt);
+    find_contacts(static_cast<std::int32_t>(b), coordinates, velocities, batch, bodies[b], cord_speed, dt);
   }
-  for (ContactBlock& block : contacts_) {
-    for (int lane = 0; lane < block.count; ++lane) {
-      for (int corner = 0; corner < 4; ++corner) {
-        block.place[corner][lane] = contacted.share(block.slot[corner][lane], block.weight[corner][lane]);
-      }
-    }
-    fill_idle_lanes(block);
-  }
+  share_inertia(contacted);
 }
 
 template <typename Function>
@@ -350,28 +243,142 @@ void ContactSolver::for_each_contact(const Function& function) const {
   }
 }
 
-void ContactSolver::add_forces(const SlotVectors& velocities, const ContactedSlots& contacted,
+// The kernel stops each approach that would pass the greatest depth by itself, with the inertia that it shares. Where
+// neighbours need other forces that leaves a part of the approach, which may be enough to pass through a thin wall. So
+// the forces are completed from the velocities that they lead to. The row sums of mass splitting make that converge.
+class ContactSolver::Stop {
+ public:
+  Stop(std::span<ContactBlock> contacts, const RigidBody& body, double shares, ContactedSlots& contacted,
+       std::span<const double> inverse_mass, double dt)
+      : contacts_(contacts),
+        body_(body),
+        shares_(shares),
+        contacted_(contacted),
+        inverse_mass_(inverse_mass),
+        dt_(dt) {}
+
+  // Contacts whose force is that of a stop, not of a spring and its damper.
+  std::int64_t count() const {
+    std::int64_t count = 0;
+    for (const ContactBlock& block : contacts_) {
+      for (int lane = 0; lane < block.count; ++lane) count += is_stopped(block, lane) ? 1 : 0;
+    }
+    return count;
+  }
+
+  void complete() {
+    constexpr int kMostRounds = 200;
+    for_each([&](ContactBlock& block, int lane) { push(block, lane, lane_of(block.force, lane)); });
+    for (int round = 0; round < kMostRounds && add_what_is_missing(); ++round) {
+    }
+    for_each([&](ContactBlock& block, int lane) {
+      if (is_stopped(block, lane)) take_up_springs(block, lane);
+    });
+  }
+
+ private:
+  static bool is_stopped(const ContactBlock& block, int lane) { return block.is_stopped[lane] > 0; }
+  static ElementSlots slots(const ContactBlock& block, int lane) {
+    return {block.slot[0][lane], block.slot[1][lane], block.slot[2][lane], block.slot[3][lane]};
+  }
+  static ElementWeights weights(const ContactBlock& block, int lane) {
+    return {block.weight[0][lane], block.weight[1][lane], block.weight[2][lane], block.weight[3][lane]};
+  }
+  template <typename Function>
+  void for_each(const Function& function) {
+    for (ContactBlock& block : contacts_) {
+      for (int lane = 0; lane < block.count; ++lane) function(block, lane);
+    }
+  }
+
+  // Lets a force (N, on the cord) change the velocities at the step's end.
+  void push(const ContactBlock& block, int lane, const Vector3d& force) {
+    for (int corner = 0; corner < 4; ++corner) {
+      const std::int32_t slot = block.slot[corner][lane];
+      contacted_.add_to_prediction(slot, (dt_ * inverse_mass_[slot] * block.weight[corner][lane]) * force);
+    }
+    body_.kick(-force, (lane_of(block.point, lane) - body_.position()).cross(-force), dt_);
+  }
+
+  double separation_speed(const ContactBlock& block, int lane) const {
+    const Vector3d velocity = combine(contacted_, slots(block, lane), weights(block, lane));
+    return symmetric_dot(velocity - body_.velocity_at(lane_of(block.point, lane)), lane_of(block.normal, lane));
+  }
+
+  // False when nothing is missing.
+  bool add_what_is_missing() {
+    constexpr double kSmall = 1e-5;  // m within the step
+    missing_.clear();
+    double largest = 0;
+    for_each([&](const ContactBlock& block, int lane) {
+      const double allowed = std::max(block.deepest[lane] - block.penetration[lane], 0.0) / dt_;
+      const double missing = std::max(-allowed - separation_speed(block, lane), 0.0);
+      const double w = contacted_.inverse_mass(slots(block, lane), weights(block, lane), inverse_mass_) +
+                       shares_ * body_.inverse_mass_at(lane_of(block.point, lane), lane_of(block.normal, lane));
+      largest = std::max(largest, missing * dt_);
+      missing_.push_back(block.share[lane] * missing / (dt_ * w));
+    });
+    if (!(largest > kSmall)) return false;
+    std::size_t next = 0;
+    for_each([&](ContactBlock& block, int lane) {
+      const double force = missing_[next++];
+      const Vector3d along = force * lane_of(block.normal, lane);
+      block.normal_force[lane] += force;
+      if (force > 0) block.is_stopped[lane] = 1;
+      for (int axis = 0; axis < 3; ++axis) block.force[axis][lane] += along[axis];
+      push(block, lane, along);
+    });
+    return true;
+  }
+
+  // A cord that is stopped within a step has pressed its spring in, which takes up a part of the blow: its mean force
+  // over the way. The rest is spent.
+  void take_up_springs(ContactBlock& block, int lane) const {
+    const NormalLaw law{block.stiffness[lane], 0};
+    const double before = block.penetration[lane], way = -separation_speed(block, lane) * dt_;
+    const double after = before + way;
+    if (!(std::abs(way) > 0)) return;
+    block.elastic[lane] = block.share[lane] * (elastic_energy(law, after) - elastic_energy(law, before)) / way;
+  }
+
+  std::span<ContactBlock> contacts_;
+  RigidBody body_;
+  double shares_;
+  ContactedSlots& contacted_;
+  std::span<const double> inverse_mass_;
+  double dt_;
+  std::vector<double> missing_;  // N, by contact
+};
+
+void ContactSolver::add_forces(const SlotVectors& velocities, ContactedSlots& contacted,
                                std::span<const double> inverse_mass, const std::vector<DynamicBody>& bodies, double dt,
                                AppliedForces& applied, std::vector<Wrench>& wrenches) {
-  const contact_kernel::ForceView view{velocities.rows().first,
-                                       contacted.predicted_rows(),
-                                       contacted.shared_weights(),
-                                       inverse_mass.data(),
-                                       settings_.friction,
-                                       settings_.friction_velocity,
-                                       dt};
+  const contact_kernel::ForceView view{.velocities = velocities.rows().first,
+                                       .predicted = contacted.predicted_rows(),
+                                       .shared_weight = contacted.shared_weights(),
+                                       .inverse_mass = inverse_mass.data(),
+                                       .friction = settings_.friction,
+                                       .friction_velocity = settings_.friction_velocity,
+                                       .dt = dt};
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     body_force_[b].setZero();
     const Partner& partner = partners_[b];
-    if (partner.contacts == 0) continue;
+    if (partner.first == partner.last) continue;
     const std::span<ContactBlock> contacts(contacts_.data() + partner.first, partner.last - partner.first);
-    kernels().forces(view, motion_of(bodies[b], partner.contacts), contacts.data(), contacts.size());
+    kernels().forces(view, motion_of(bodies[b], partner.shares), contacts.data(), contacts.size());
+    Stop stop(contacts, bodies[b].rigid(), partner.shares, contacted, inverse_mass, dt);
+    if (const std::int64_t count = stop.count(); count > 0) {
+      stops_ += count;
+      stop.complete();
+    }
+    for_each_corner(contacts, [&](const ContactBlock& block, int lane, int corner) {
+      applied.add(block.slot[corner][lane], block.weight[corner][lane] * lane_of(block.force, lane));
+    });
     const SectorSum<Vector3d> nothing(Vector3d::Zero());
     BodySums sums{nothing, nothing};
     for (const ContactBlock& block : contacts) {
       for (int lane = 0; lane < block.count; ++lane) {
         const Vector3d force = lane_of(block.force, lane);
-        for (int i = 0; i < 4; ++i) applied.add(block.slot[i][lane], block.weight[i][lane] * force);
         sums.force.add(block.element[lane], -force);
         const Vector3d arm = lane_of(block.point, lane) - bodies[b].rigid().position();
         sums.torque.add(block.element[lane], arm.cross(-force));
@@ -382,23 +389,27 @@ void ContactSolver::add_forces(const SlotVectors& velocities, const ContactedSlo
   }
 }
 
-double ContactSolver::dissipated_power() const {
-  double power = 0;
+double ContactSolver::stored_energy() const {
+  double energy = 0;
   for_each_contact([&](const ContactBlock& block, int lane) {
-    power -= symmetric_dot(lane_of(block.force, lane), lane_of(block.velocity, lane));
+    energy += block.share[lane] * elastic_energy({block.stiffness[lane], 0}, block.penetration[lane]);
   });
-  return power;
+  return energy;
 }
 
-double ContactSolver::dissipated_power(const SlotVectors& velocities, const std::vector<DynamicBody>& bodies) const {
-  double power = 0;
+contact_kernel::ContactPower ContactSolver::dissipated_power(const SlotVectors& velocities,
+                                                             const std::vector<DynamicBody>& bodies) const {
+  contact_kernel::ContactPower total;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const Partner& partner = partners_[b];
-    if (partner.contacts == 0) continue;
-    power += kernels().power(velocities.rows(), motion_of(bodies[b], partner.contacts),
-                             contacts_.data() + partner.first, partner.last - partner.first);
+    if (partner.first == partner.last) continue;
+    const contact_kernel::ContactPower power =
+        kernels().power(velocities.rows(), motion_of(bodies[b], partner.shares), contacts_.data() + partner.first,
+                        partner.last - partner.first);
+    total.damping += power.damping;
+    total.friction += power.friction;
   }
-  return power;
+  return total;
 }
 
 std::optional<ContactSolver::Depth> ContactSolver::deepest_contact() const {

@@ -67,6 +67,14 @@ class ContactedSlots {
     return {row[0], row[kBlockSize], row[2 * kBlockSize]};
   }
 
+  // Changes the predicted velocity of a slot that is touched.
+  void add_to_prediction(std::int32_t slot, const Eigen::Vector3d& change) {
+    double* row = predicted_.data() + place(slot, kRows);
+    row[0] += change.x();
+    row[kBlockSize] += change.y();
+    row[2 * kBlockSize] += change.z();
+  }
+
   // A contact's part of the slots' inverse mass, 1/kg.
   double inverse_mass(const ElementSlots& slot, const ElementWeights& weight,
                       std::span<const double> inverse_mass) const {

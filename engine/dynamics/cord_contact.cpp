@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/bodies/segment_distance.h"
 #include "engine/bodies/symmetric_algebra.h"
-#include "engine/contact/segment_distance.h"
+#include "engine/dynamics/cord_chain.h"
 
 namespace netpocket {
 namespace {
@@ -39,26 +40,6 @@ std::array<double, 2> nearest_fractions(const Segment& a, const Segment& b) {
           0.5 * (forward.second_fraction + backward.first_fraction)};
 }
 
-// For each element the one that goes on with its cord at its second end, or -1.
-std::vector<std::int32_t> next_elements(const Model& model) {
-  std::vector<std::int32_t> starting(model.gradients.size(), -1), next;
-  for (std::size_t i = model.elements.size(); i-- > 0;) {
-    starting[static_cast<std::size_t>(model.elements[i].gradient1)] = static_cast<std::int32_t>(i);
-  }
-  for (const ModelElement& element : model.elements) {
-    next.push_back(starting[static_cast<std::size_t>(element.gradient2)]);
-  }
-  return next;
-}
-
-std::vector<std::int32_t> inverted(const std::vector<std::int32_t>& next) {
-  std::vector<std::int32_t> previous(next.size(), -1);
-  for (std::size_t i = 0; i < next.size(); ++i) {
-    if (next[i] >= 0) previous[static_cast<std::size_t>(next[i])] = static_cast<std::int32_t>(i);
-  }
-  return previous;
-}
-
 }  // namespace
 
 CordContact::CordContact(const Model& model, const SlotLayout& layout, const SlotVectors& coordinates,
@@ -70,7 +51,7 @@ CordContact::CordContact(const Model& model, const SlotLayout& layout, const Slo
       pairs_(model, polyline_, coordinates, inverse_mass),
       search_(model, polyline_, pairs_),
       next_(next_elements(model)) {
-  previous_ = inverted(next_);
+  previous_ = previous_elements(next_);
 }
 
 // Whether the point at `fraction` of one of the two capsules is a nearest point of its whole cord: an end of a capsule
@@ -115,14 +96,14 @@ CordContact::Side CordContact::make_side(std::int32_t element, std::int32_t segm
 
 // Adds a contact if the two capsules overlap.
 void CordContact::test(const NearSegments& near, const SlotVectors& coordinates,
-                       const std::vector<double>& element_length, double dt) {
+                       const std::vector<double>& element_length) {
   const std::int32_t first = search_.near_elements()[static_cast<std::size_t>(near.first)];
   const std::int32_t second = search_.near_elements()[static_cast<std::size_t>(near.second)];
   const auto a = static_cast<std::size_t>(first), b = static_cast<std::size_t>(second);
   const Segment one = segment_of(vertices_[static_cast<std::size_t>(near.first)], near.first_segment);
   const Segment other = segment_of(vertices_[static_cast<std::size_t>(near.second)], near.second_segment);
   const double reach = model_.radius_of(first) + model_.radius_of(second);
-  const double farthest = std::max(reach, kFloor * reach + search_.travel_per_step());
+  const double farthest = std::max(reach, kFloor * reach + ahead_);
   if (closest_points(one, other).distance > farthest) return;
   const auto [f, g] = nearest_fractions(one, other);
   const Vector3d separation = (one.start + f * (one.end - one.start)) - (other.start + g * (other.end - other.start));
@@ -146,7 +127,7 @@ void CordContact::test(const NearSegments& near, const SlotVectors& coordinates,
   }
   const double mass = effective_mass(model_.material_of(first).section.mass_per_length * element_length[a],
                                      model_.material_of(second).section.mass_per_length * element_length[b]);
-  contact.stiffness = std::min(material_stiffness(first, second), resolved_stiffness(mass, dt));
+  contact.stiffness = std::min(material_stiffness(first, second), resolved_stiffness(mass, reference_step_));
   contacts_.push_back(contact);
 }
 
@@ -169,9 +150,18 @@ void CordContact::for_each_corner(const Function& function) const {
   }
 }
 
+// Two cords, and as much again for what speeds up.
+void CordContact::look_around(const SlotVectors& coordinates, const std::vector<double>& element_length,
+                              double cord_speed, double dt, const DividedLoop& loop) {
+  constexpr double kGrowingWay = 4;
+  ahead_ = std::min(kGrowingWay * cord_speed * dt, search_.broad_margin());
+  search_.update(coordinates, element_length, ahead_, loop);
+}
+
 void CordContact::find(const SlotVectors& coordinates, const SlotVectors& velocities,
                        const std::vector<double>& element_length, double dt, ContactedSlots& contacted) {
   contacts_.clear();
+  if (reference_step_ == 0) reference_step_ = dt;
   if (search_.near().empty()) return;
   vertices_.clear();
   for (const std::int32_t element : search_.near_elements()) {
@@ -180,7 +170,7 @@ void CordContact::find(const SlotVectors& coordinates, const SlotVectors& veloci
   contact_of_near_.clear();
   for (const NearSegments& near : search_.near()) {
     const std::size_t before = contacts_.size();
-    test(near, coordinates, element_length, dt);
+    test(near, coordinates, element_length);
     if (contacts_.size() > before) {
       // One that is still apart counts only if it approaches so fast that it has to be stopped within the step.
       const Contact& contact = contacts_.back();
@@ -226,7 +216,7 @@ std::array<double, 2> CordContact::friction(const Contact& contact, const Veloci
 }
 
 void CordContact::set_forces(Contact& contact, const SlotVectors& velocities, const ContactedSlots& contacted,
-                             std::span<const double> inverse_mass, double dt) const {
+                             std::span<const double> inverse_mass, double dt) {
   auto& [a, b] = contact.side;
   const double w =
       contacted.inverse_mass(a.slot, a.point, inverse_mass) + contacted.inverse_mass(b.slot, b.point, inverse_mass);
@@ -241,8 +231,12 @@ void CordContact::set_forces(Contact& contact, const SlotVectors& velocities, co
   contact.normal_force = std::max(
       stepped_normal_force(law, contact.reach - contact.distance, {before_speed, after_speed}, w, dt), stopping);
   const double penetration = contact.reach - contact.distance;
-  if (penetration > depth_of_impact(1 / w, contact.stiffness, kDeepImpact)) {
+  contact.deepest = depth_of_impact(1 / w, contact.stiffness, kDeepImpact);
+  if (penetration > contact.deepest) {
+    ++partings_;
     contact.normal_force = std::min(contact.normal_force, (kParting - after_speed) / (dt * w));
+  } else {
+    contact.elastic = normal_force({contact.stiffness, 0}, penetration, 0);
   }
   if (!(contact.normal_force > 0)) return;
   const auto along = friction(contact, after, contacted, inverse_mass, w, dt);
@@ -264,14 +258,27 @@ void CordContact::add_forces(const SlotVectors& velocities, const ContactedSlots
   });
 }
 
-double CordContact::dissipated_power(const SlotVectors& velocities) const {
-  double power = 0;
+// Deeper than its spring is, a contact stores what that can hold.
+double CordContact::stored_energy() const {
+  double energy = 0;
   for (const Contact& contact : contacts_) {
+    energy += elastic_energy({contact.stiffness, 0}, std::min(contact.reach - contact.distance, contact.deepest));
+  }
+  return energy;
+}
+
+contact_kernel::ContactPower CordContact::dissipated_power(const SlotVectors& velocities) const {
+  contact_kernel::ContactPower power;
+  for (const Contact& contact : contacts_) {
+    double total = 0;
     for (const Side& side : contact.side) {
       for (std::size_t i = 0; i < 2; ++i) {
-        power -= symmetric_dot(side.force[i], combine(velocities, side.slot, side.end[i]));
+        total -= symmetric_dot(side.force[i], combine(velocities, side.slot, side.end[i]));
       }
     }
+    const double separation = symmetric_dot(relative_velocity(contact, velocities).point, contact.normal);
+    power.damping -= (contact.normal_force - contact.elastic) * separation;
+    power.friction += total + contact.normal_force * separation;
   }
   return power;
 }

@@ -8,9 +8,10 @@
 // is taken at the other one's axis, so friction is resolved along the two axes, each part at the other's axis, and all
 // forces and moments on the pair are balanced. Parallel cords, which would have to roll, do so freely.
 //
-// No stiffer than steps resolve (resolved_stiffness); beyond that no contact lets axes come nearer to each other than a
-// quarter of the cords' thickness within a step: what would is stopped there, at the price of a slower rebound. Cords
-// do not pass through each other at any speed that a run's steps can follow.
+// No stiffer than the run's first steps resolve (resolved_stiffness), and as stiff for the whole run: springs that hold
+// energy do not change with the step. Besides, no contact lets axes come nearer to each other than a quarter of the
+// cords' thickness within a step: what would is stopped there, at the price of a slower rebound. Cords do not pass
+// through each other at any speed that a run's steps can follow.
 //
 // All contacts of a step see the same state and share the nodes' inertia (contacted_slots.h). Forces are summed in an
 // order that is the same in every sector of a pocket, and a pair's forces do not depend on which of the two comes
@@ -22,6 +23,7 @@
 
 #include "engine/contact/force_law.h"
 #include "engine/dynamics/applied_forces.h"
+#include "engine/dynamics/contact_kernel.h"
 #include "engine/dynamics/contacted_slots.h"
 #include "engine/dynamics/cord_pairs.h"
 #include "engine/dynamics/cord_polyline.h"
@@ -41,12 +43,15 @@ class CordContact {
   // To be called when positions have changed other than by steps.
   void forget_candidates() { search_.forget(); }
   void set_friction(double coefficient) { settings_.friction = coefficient; }
+  // Step (s) that the stiffness of all contacts is for.
+  void set_reference_step(double dt) { reference_step_ = dt; }
 
-  // To be called at every step, before find: see CordSearch::update.
-  void look_around(const SlotVectors& coordinates, const SlotVectors& velocities,
-                   const std::vector<double>& element_length, double dt, const DividedLoop& loop) {
-    search_.update(coordinates, velocities, element_length, dt, loop);
-  }
+  // See CordSearch::note_way.
+  void note_way(double way) { search_.note_way(way); }
+  // To be called at every step, before find, whose `dt` and velocities are these: no point of a cord is faster than
+  // `cord_speed` (m/s).
+  void look_around(const SlotVectors& coordinates, const std::vector<double>& element_length, double cord_speed,
+                   double dt, const DividedLoop& loop);
 
   // Finds the contacts at this state and enters them in `contacted`. `element_length`: current material length by
   // element (m). `dt` (s): step over which the forces will act.
@@ -57,8 +62,12 @@ class CordContact {
   void add_forces(const SlotVectors& velocities, const ContactedSlots& contacted, std::span<const double> inverse_mass,
                   double dt, AppliedForces& applied);
 
-  // Power that the contacts take out of the motion at these velocities (W); positive when they dissipate.
-  double dissipated_power(const SlotVectors& velocities) const;
+  // Energy in the springs (J) at the state that find was given.
+  double stored_energy() const;
+  // What the contacts take out of the motion at these velocities, besides what their springs store.
+  contact_kernel::ContactPower dissipated_power(const SlotVectors& velocities) const;
+  // Contacts that have been found deeper than their springs are (see kDeepImpact), a count of contacts and steps.
+  std::int64_t partings() const { return partings_; }
   // Contacts that bear force.
   int count() const;
   // Sum of the normal forces, N.
@@ -84,7 +93,9 @@ class CordContact {
     double distance;         // m, of the axes
     double reach;            // m, sum of the radii
     double stiffness;        // K, N/m^1.5
+    double deepest;          // m, penetration up to which there is a spring
     double normal_force;     // N
+    double elastic;          // N, of the spring alone
   };
   struct Velocities {  // of a contact, m/s: first less second
     Eigen::Vector3d point;
@@ -93,14 +104,13 @@ class CordContact {
 
   bool is_least(const NearSegments& near, bool second, double fraction, const Eigen::Vector3d& separation,
                 const SlotVectors& coordinates, const std::vector<double>& element_length) const;
-  void test(const NearSegments& near, const SlotVectors& coordinates, const std::vector<double>& element_length,
-            double dt);
+  void test(const NearSegments& near, const SlotVectors& coordinates, const std::vector<double>& element_length);
   Side make_side(std::int32_t element, std::int32_t segment, double fraction, double length) const;
   double material_stiffness(std::int32_t first, std::int32_t second) const;
   template <typename Vectors>
   Velocities relative_velocity(const Contact& contact, const Vectors& velocities) const;
   void set_forces(Contact& contact, const SlotVectors& velocities, const ContactedSlots& contacted,
-                  std::span<const double> inverse_mass, double dt) const;
+                  std::span<const double> inverse_mass, double dt);
   std::array<double, 2> friction(const Contact& contact, const Velocities& velocity, const ContactedSlots& contacted,
                                  std::span<const double> inverse_mass, double axis_inverse_mass, double dt) const;
   // Calls function(contact, side, corner) for every node and gradient of every contact, such that the order of those at
@@ -111,6 +121,9 @@ class CordContact {
   const Model& model_;
   ContactSettings settings_;
   double damping_;  // alpha of force_law.h
+  double reference_step_ = 0;
+  double ahead_ = 0;  // m, distance of surfaces within which cords may need to be stopped in the coming step
+  std::int64_t partings_ = 0;
   CordPolyline polyline_;
   CordPairs pairs_;
   CordSearch search_;

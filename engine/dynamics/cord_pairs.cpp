@@ -4,7 +4,7 @@
 #include <limits>
 #include <map>
 
-#include "engine/contact/broad_phase.h"
+#include "engine/contact/near_pairs.h"
 
 namespace netpocket {
 namespace {
@@ -90,9 +90,7 @@ CordPairs::CordPairs(const Model& model, const CordPolyline& polyline, const Slo
     boxes.emplace_back(box.min().array() - radius.back(), box.max().array() + radius.back());
   }
   if (boxes.empty()) return;
-  BroadPhase broad_phase(static_cast<int>(boxes.size()), 1e-6);
-  broad_phase.rebuild(boxes, {});
-  for (const auto& [first, second] : broad_phase.pairs()) {
+  for (const auto& [first, second] : near_pairs(boxes, 1e-6)) {
     const auto a = static_cast<std::size_t>(first), b = static_cast<std::size_t>(second);
     if (!may_touch(first, second)) continue;
     if (distance(vertices[a], vertices[b]) >= radius[a] + radius[b]) continue;

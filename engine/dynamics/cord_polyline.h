@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/ancf/shape_functions.h"
-#include "engine/contact/segment_distance.h"
+#include "engine/bodies/segment_distance.h"
 #include "engine/dynamics/element_curve.h"
 #include "engine/dynamics/slot_state.h"
 #include "engine/model/model.h"

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "engine/bodies/symmetric_algebra.h"
+#include "engine/contact/near_pairs.h"
 #include "engine/dynamics/element_curve.h"
-#include "engine/dynamics/survey_interval.h"
 
 namespace netpocket {
 namespace {
@@ -13,17 +13,17 @@ namespace {
 using Eigen::AlignedBox3d;
 using Eigen::Vector3d;
 
-// The farthest (m) that anything may travel between two surveys of what is near.
-constexpr double kLongestTravel = 0.05;
+// Steps that what is found near should last for, judged by the last step's way, and the most (m) that it may travel.
+constexpr double kUsualSteps = 32, kLongestTravel = 0.01;
 // Candidates that are looked at only if the first of them is due.
 constexpr std::size_t kGroup = 64;
 // Elements that a thread takes at once.
 constexpr int kElementRange = 1024;
-// Clearance (m) below which capsules are tested at every step, besides what they may move until the next survey.
-constexpr double kNearMargin = 0.02;
-// The same in fine nets, where everything would be near: part of the broad phase's margin.
+// Clearance (m) below which capsules are tested at every step, at least.
+constexpr double kLeastReach = 0.01;
+// The same in fine nets, where everything would be near: part of the margin of the candidates.
 constexpr double kNearPart = 0.25;
-// Margin of the broad phase, of the elements' mean length: about as many pairs for any fineness of the mesh.
+// Margin of the candidates, of the elements' mean length: about as many pairs for any fineness of the mesh.
 constexpr double kBroadMargin = 0.45;
 // The pocket's symmetry: index = local * kSectors + sector, as in SectorSum.
 constexpr std::int32_t kSectors = 8;
@@ -38,7 +38,7 @@ Sag sag(const Vector3d& chord, const Vector3d& gradient1, const Vector3d& gradie
   return {(length * gradient1 - chord) / 3, (chord - length * gradient2) / 3};
 }
 
-double broad_margin(const Model& model) {
+double margin_of_candidates(const Model& model) {
   if (model.elements.empty()) return kBroadMargin;
   double length = 0;
   for (const ModelElement& element : model.elements) length += element.length;
@@ -52,28 +52,23 @@ CordSearch::CordSearch(const Model& model, const CordPolyline& polyline, const C
       polyline_(polyline),
       pairs_(pairs),
       motion_(model),
-      broad_phase_(static_cast<int>(model.elements.size()), broad_margin(model)),
+      broad_margin_(margin_of_candidates(model)),
       near_place_(model.elements.size(), -1) {}
 
 // Of a lost state even the ways are no numbers: they begin anew, too.
 void CordSearch::forget() {
-  steps_to_survey_ = 0;
-  surveyed_ = SlotVectors();
-  travelled_ = expected_way_ = 0;
-  broad_phase_.advance(std::numeric_limits<double>::infinity());
-  for (Candidate& candidate : candidates_) candidate.clear_until = 0;
-  std::ranges::fill(group_clear_until_, 0.0);
+  travelled_ = last_way_ = 0;
+  has_candidates_ = is_fresh_ = false;
 }
 
-// Bound of the way (m) of any point since the last call.
-double CordSearch::take_way(const SlotVectors& coordinates, const DividedLoop& loop) {
-  const double way = surveyed_.size() == coordinates.size() ? motion_.way(surveyed_, coordinates, loop) : 0;
-  surveyed_ = coordinates;
-  return way;
+void CordSearch::note_way(double way) {
+  travelled_ += way;
+  displaced_ += way;
+  last_way_ = way;
 }
 
-bool CordSearch::update_candidates(const SlotVectors& coordinates, const std::vector<double>& element_length,
-                                   const DividedLoop& loop) {
+bool CordSearch::find_candidates(const SlotVectors& coordinates, const std::vector<double>& element_length,
+                                 const DividedLoop& loop) {
   std::vector<AlignedBox3d> boxes(model_.elements.size());
   loop(static_cast<int>(boxes.size()), kElementRange, [&](int first, int last) {
     for (std::int32_t i = first; i < last; ++i) {
@@ -82,18 +77,21 @@ bool CordSearch::update_candidates(const SlotVectors& coordinates, const std::ve
     }
   });
   if (!std::ranges::all_of(boxes, is_sound)) return false;
-  if (!broad_phase_.update(boxes, {})) return true;
-  const auto pairs = broad_phase_.pairs(loop);
+  const auto pairs = near_pairs(boxes, broad_margin_, loop);
   candidates_ = found_in_ranges<Candidate>(
       loop, static_cast<int>(pairs.size()), kElementRange, [&](int from, int to, std::vector<Candidate>& found) {
         for (auto i = static_cast<std::size_t>(from); i < static_cast<std::size_t>(to); ++i) {
           const auto [first, second] = pairs[i];
           if (!pairs_.may_touch(first, second)) continue;
-          if (least_gap(coordinates, element_length, first, second) > broad_phase_.margin()) continue;
+          if (least_gap(coordinates, element_length, first, second) > broad_margin_) continue;
           found.push_back({first, second, 0});
         }
       });
   group_clear_until_.assign((candidates_.size() + kGroup - 1) / kGroup, 0.0);
+  has_candidates_ = true;
+  travelled_ = displaced_ = 0;
+  candidate_coordinates_ = coordinates;
+  candidate_lengths_ = element_length;
   return true;
 }
 
@@ -145,41 +143,51 @@ void CordSearch::look_at(Candidate& candidate, const SlotVectors& coordinates,
   if (gap < reach) add_near_segments(coordinates, element_length, candidate, reach);
 }
 
-void CordSearch::survey(const SlotVectors& coordinates, const SlotVectors& velocities,
-                        const std::vector<double>& element_length, double dt, const DividedLoop& loop) {
-  // Twice the present speed for what speeds up meanwhile.
-  travel_per_step_ = 2 * motion_.speed(velocities, loop) * dt;
-  steps_to_survey_ =
-      survey_interval(travel_per_step_, std::min(kLongestTravel, BroadPhase::kLeastInHand * broad_phase_.margin()));
-  const double travel = travel_per_step_ * steps_to_survey_;
-  const double way = take_way(coordinates, loop);
-  travelled_ += way;
+// What is no candidate was apart by more than the margin, and two cords have come nearer by twice what they are
+// displaced at most. That is less than the way travelled where cords vibrate: it is measured when the way is used up.
+bool CordSearch::has_candidates_for(double reach, const SlotVectors& coordinates,
+                                    const std::vector<double>& element_length, const DividedLoop& loop) {
+  const auto suffices = [&] { return 2 * displaced_ + reach <= broad_margin_; };
+  if (!has_candidates_) return false;
+  if (suffices()) return true;
+  double longer = 0;
+  for (std::size_t i = 0; i < element_length.size(); ++i) {
+    longer = std::max(longer, std::abs(element_length[i] - candidate_lengths_[i]));
+  }
+  displaced_ = motion_.way(candidate_coordinates_, coordinates, loop) + 0.25 * longer;
+  constexpr double kLeastInHand = 0.1;  // of the margin: else the next question would come too soon
+  return 2 * displaced_ + reach <= (1 - kLeastInHand) * broad_margin_;
+}
+
+void CordSearch::refresh(const SlotVectors& coordinates, const std::vector<double>& element_length, double ahead,
+                         const DividedLoop& loop) {
   for (const std::int32_t element : near_elements_) near_place_[static_cast<std::size_t>(element)] = -1;
   near_elements_.clear();
   near_.clear();
-  // What the lists were expected to have to bear until now gives way to what it was.
-  const bool outdated = broad_phase_.advance(way - expected_way_ + travel);
-  expected_way_ = travel;
-  if (outdated) {
-    if (!update_candidates(coordinates, element_length, loop)) {
+  const double expected = 2 * std::min(kUsualSteps * last_way_, std::min(kLongestTravel, kNearPart * broad_margin_));
+  reach_ = std::min(kLeastReach, kNearPart * broad_margin_) + expected + ahead;
+  if (!has_candidates_for(reach_, coordinates, element_length, loop)) {
+    if (!find_candidates(coordinates, element_length, loop)) {
       candidates_.clear();
+      group_clear_until_.clear();
       forget();
       sides_.clear();
       return;
     }
-    broad_phase_.advance(travel);
+    reach_ = std::min(reach_, broad_margin_);
   }
-  const double reach = std::min(kNearMargin, kNearPart * broad_phase_.margin()) + 2 * travel;
   for (std::size_t group = 0; group < group_clear_until_.size(); ++group) {
-    if (2 * (group_clear_until_[group] - travelled_) > reach) continue;
+    if (2 * (group_clear_until_[group] - travelled_) > reach_) continue;
     double first = std::numeric_limits<double>::infinity();
     for (std::size_t i = group * kGroup; i < std::min(candidates_.size(), (group + 1) * kGroup); ++i) {
-      look_at(candidates_[i], coordinates, element_length, reach);
+      look_at(candidates_[i], coordinates, element_length, reach_);
       first = std::min(first, candidates_[i].clear_until);
     }
     group_clear_until_[group] = first;
   }
   sort_sides();
+  travelled_at_refresh_ = travelled_;
+  is_fresh_ = true;
 }
 
 // Sides by keys of 64 bits, in this order of weight: own element locally (27 bits) and the other one (27), sectors
@@ -210,10 +218,11 @@ void CordSearch::sort_sides() {
   for (const auto& [key, side] : keyed_sides_) sides_.push_back(side);
 }
 
-void CordSearch::update(const SlotVectors& coordinates, const SlotVectors& velocities,
-                        const std::vector<double>& element_length, double dt, const DividedLoop& loop) {
-  if (steps_to_survey_ <= 0) survey(coordinates, velocities, element_length, dt, loop);
-  --steps_to_survey_;
+// What was not near then was apart by more than reach_; two cords may have come nearer by twice the way since.
+void CordSearch::update(const SlotVectors& coordinates, const std::vector<double>& element_length, double ahead,
+                        const DividedLoop& loop) {
+  const double way = 2 * (travelled_ - travelled_at_refresh_) + ahead;
+  if (!is_fresh_ || !(way <= reach_)) refresh(coordinates, element_length, ahead, loop);
 }
 
 }  // namespace netpocket

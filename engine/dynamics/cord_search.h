@@ -2,11 +2,13 @@
 // Looks for the places where cords may touch each other during the next steps.
 //
 // In three stages, each of which is asked again only when motion demands it: pairs of elements within a margin of each
-// other (broad_phase.h, seldom), those of them that are near (every 16 steps or more, each only when the way travelled
-// since could have used up its clearance), and the pairs of capsules on near elements (tested at every step by the
-// caller). Nothing near costs nothing.
+// other (near_pairs.h, seldom), those of them that are near (each only when the way travelled since could have used up
+// its clearance), and the pairs of capsules on near elements (tested at every step by the caller). Nothing near costs
+// nothing.
 //
-// The answer holds all that may touch. What it holds beyond depends on the history; its order does not.
+// The answer holds all that may touch: each list has a margin, and is made anew before the way that note_way has been
+// told of, which is what has really moved, has used it up. How fast things move only decides how wide margins are. What
+// the answer holds beyond depends on the history; its order does not.
 
 #include <Eigen/Geometry>
 #include <cstdint>
@@ -15,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/contact/broad_phase.h"
+#include "engine/contact/divided_loop.h"
 #include "engine/dynamics/cord_pairs.h"
 #include "engine/dynamics/cord_polyline.h"
 #include "engine/dynamics/motion_bound.h"
@@ -41,33 +43,37 @@ class CordSearch {
   // To be called when positions have changed other than by steps.
   void forget();
 
-  // To be called at every step, before what it finds is asked for. `element_length` in m, by element; `dt` in s;
-  // `loop`: whose threads share what takes long, seldom.
-  void update(const SlotVectors& coordinates, const SlotVectors& velocities, const std::vector<double>& element_length,
-              double dt, const DividedLoop& loop);
+  // No point of a cord has moved by more than `way` (m) since the last call.
+  void note_way(double way);
+  // To be called at every step, before what it finds is asked for: all that is within `ahead` (m), no more than what
+  // broad_margin() is. `element_length` in m, by element; `loop`: whose threads share what takes long, seldom.
+  void update(const SlotVectors& coordinates, const std::vector<double>& element_length, double ahead,
+              const DividedLoop& loop);
+  double broad_margin() const { return broad_margin_; }
 
   std::span<const std::int32_t> near_elements() const { return near_elements_; }
   std::span<const NearSegments> near() const { return near_; }
   // Both sides of near(), in an order that is the same in every sector of a pocket (index = local * 8 + sector): by
   // what the side's own element and the other one are locally, how many sectors lie between, and their segments.
   std::span<const NearSide> sides() const { return sides_; }
-  // m, most that any point may travel in a step until the next survey
-  double travel_per_step() const { return travel_per_step_; }
 
  private:
   struct Candidate {
     std::int32_t first, second;
     double clear_until;  // m of travel, as travelled_ counts it, up to which the two cannot touch
   };
-  void survey(const SlotVectors& coordinates, const SlotVectors& velocities, const std::vector<double>& element_length,
-              double dt, const DividedLoop& loop);
+  // Finds what is near anew.
+  void refresh(const SlotVectors& coordinates, const std::vector<double>& element_length, double ahead,
+               const DividedLoop& loop);
   // Finds its near segments if it is due.
   void look_at(Candidate& candidate, const SlotVectors& coordinates, const std::vector<double>& element_length,
                double reach);
-  double take_way(const SlotVectors& coordinates, const DividedLoop& loop);
+  // Whether the candidates hold all pairs within `reach` (m): no point is so far from where it was then.
+  bool has_candidates_for(double reach, const SlotVectors& coordinates, const std::vector<double>& element_length,
+                          const DividedLoop& loop);
   // False when the state is lost: then there is nothing to look for.
-  bool update_candidates(const SlotVectors& coordinates, const std::vector<double>& element_length,
-                         const DividedLoop& loop);
+  bool find_candidates(const SlotVectors& coordinates, const std::vector<double>& element_length,
+                       const DividedLoop& loop);
   // Least gap that two elements can have, by their chords and how far the curves are off them, m.
   double least_gap(const SlotVectors& coordinates, const std::vector<double>& element_length, std::int32_t first,
                    std::int32_t second) const;
@@ -80,14 +86,17 @@ class CordSearch {
   const CordPolyline& polyline_;
   const CordPairs& pairs_;
   MotionBound motion_;
-  BroadPhase broad_phase_;
+  double broad_margin_;  // m, of the pairs among which candidates are
   std::vector<Candidate> candidates_;
   std::vector<double> group_clear_until_;  // by kGroup candidates: the least clear_until
-  SlotVectors surveyed_;                   // coordinates at the last survey
-  double travelled_ = 0;                   // m, bound of the way of any point up to then
-  double expected_way_ = 0;                // m, that the broad phase was told to expect since then
-  double travel_per_step_ = 0;
-  int steps_to_survey_ = 0;
+  double travelled_ = 0;                   // m, way of any point
+  double travelled_at_refresh_ = 0;        // when what is near was found
+  double displaced_ = 0;                   // m, bound of how far any point is from where it was at candidates_
+  SlotVectors candidate_coordinates_;      // when candidates_ were found
+  std::vector<double> candidate_lengths_;  // m, by element, then
+  bool has_candidates_ = false, is_fresh_ = false;
+  double reach_ = 0;     // m, within which everything was found near then
+  double last_way_ = 0;  // m, of the last step
   std::vector<std::int32_t> near_elements_;
   std::vector<std::int32_t> near_place_;  // by element: in near_elements_, or -1
   std::vector<NearSegments> near_;

@@ -3,11 +3,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/ancf/instruction_set.h"
+#include "engine/dynamics/motion_kernel.h"
+
 namespace netpocket {
 namespace {
 
 // Slots that a thread takes at once; whole blocks.
 constexpr int kSlotRange = 2048;
+
+motion_kernel::Kernel kernel() {
+  using namespace motion_kernel;
+  static const Kernel chosen = choose_variant(baseline::largest_square, avx2::largest_square, avx512::largest_square);
+  return chosen;
+}
 
 double largest_of(const std::vector<double>& maxima) {
   double largest = 0;
@@ -31,6 +40,9 @@ MotionBound::MotionBound(const Model& model)
       quarter = std::max(quarter, 0.25 * element.length);
     }
   }
+  weights_.assign(static_cast<std::size_t>(first_gradient_) + static_cast<std::size_t>(quarter_length_.size()), 0.0);
+  std::fill_n(weights_.begin(), node_count_, 1.0);
+  std::copy_n(quarter_length_.data(), quarter_length_.size(), weights_.begin() + first_gradient_);
 }
 
 template <typename Squares>
@@ -46,7 +58,16 @@ double MotionBound::largest(const DividedLoop& loop, const Squares& squares) con
 }
 
 double MotionBound::speed(const SlotVectors& velocities, const DividedLoop& loop) const {
-  return largest(loop, [&](std::int32_t first, std::int32_t count) { return velocities.squared_norms(first, count); });
+  const auto fastest = [&](std::int32_t begin, std::int32_t slots) {
+    return largest_of(
+        values_of_ranges<double>(loop, slots / kBlockSize, kSlotRange / kBlockSize, [&](int first, int last) {
+          const std::ptrdiff_t slot = begin + static_cast<std::ptrdiff_t>(first) * kBlockSize;
+          return kernel()(velocities.rows().first + slot * kSlotRows, weights_.data() + slot,
+                          static_cast<std::size_t>(last - first));
+        }));
+  };
+  return std::sqrt(fastest(0, first_gradient_)) +
+         std::sqrt(fastest(first_gradient_, SlotLayout::padded(gradient_count_)));
 }
 
 double MotionBound::way(const SlotVectors& before, const SlotVectors& now, const DividedLoop& loop) const {

@@ -28,6 +28,7 @@ class MotionBound {
 
   std::int32_t node_count_, first_gradient_, gradient_count_;
   Eigen::Array<double, kBlockSize, Eigen::Dynamic> quarter_length_;  // m, by gradient, of the longest element there
+  AlignedVector<double> weights_;  // by slot: 1 of nodes, quarter_length_ of gradients; 0 of what only fills blocks
 };
 
 }  // namespace netpocket

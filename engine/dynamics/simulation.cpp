@@ -174,7 +174,7 @@ struct Simulation::Impl {
     const bool frame_ends = (interval + 1) % static_cast<std::int64_t>(intervals_of_frame()) == 0;
     if (!frame_ends || scenario.solver.time_step > 0) return;
     const EnergyAudit energy = system.audit();
-    caution.follow_energy(energy.unresolved, energy.strain + std::abs(energy.input) + std::abs(energy.dissipated));
+    caution.follow_energy(energy.unresolved, energy.strain + std::abs(energy.input) + energy.spent.total());
   }
 
   // For an interval that ends at `end`, s.
@@ -228,12 +228,16 @@ struct Simulation::Impl {
     if (interval < 0 || steps_in_interval == interval_steps) begin_interval();
     material_changes.apply(system.time());
     system.control(pocket.spacecraft, drive.at(system.time(), system.motion(pocket.spacecraft)));
+    const std::int64_t stopped_blows = system.stopped_blows();
     system.step(time_step);
     drive.note_step(system.exerted(pocket.spacecraft), system.motion(pocket.spacecraft), time_step);
-    step_choice.caution().note_penetration(system.penetration());
+    StepCaution& caution = step_choice.caution();
+    caution.note_penetration(system.penetration());
+    const bool has_stopped = system.stopped_blows() > stopped_blows;
+    if (has_stopped) caution.note_stop();
     if (++steps_in_interval == interval_steps) {
       end_interval();
-    } else if (scenario.solver.time_step == 0 && step_choice.is_outgrown(time_step)) {
+    } else if (scenario.solver.time_step == 0 && (has_stopped || step_choice.is_outgrown(time_step))) {
       divide_rest();
     }
   }

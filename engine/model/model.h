@@ -96,7 +96,6 @@ struct ContactSettings {
   double restitution = 0.5;
   double friction = 0;
   double friction_velocity = 1e-3;  // m/s
-  int samples_per_element = 3;      // contact points on an element, evenly spread inside it
   bool cords = false;               // cords touch each other too
 };
 

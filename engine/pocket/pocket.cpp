@@ -41,7 +41,6 @@ class PocketBuilder {
     model.contact = {.restitution = scenario_.contact.restitution,
                      .friction = scenario_.contact.friction,
                      .friction_velocity = scenario_.contact.friction_velocity,
-                     .samples_per_element = scenario_.contact.samples_per_element,
                      .cords = scenario_.contact.cords};
     model.gravity = scenario_.solver.gravity;
     add_bodies();

@@ -76,6 +76,9 @@ std::span<const Parameter> parameters();
 std::span<const ParameterGroup> parameter_groups();
 std::span<const Parameter> parameters_of(const ParameterGroup& group);
 
+// Whether scenarios of earlier versions had this parameter: they stay readable, and what it says has no effect.
+bool is_retired_parameter(std::string_view key);
+
 // Null when there is no such parameter.
 const Parameter* find_parameter(std::string_view key);
 const ParameterGroup* find_parameter_group(std::string_view name);

@@ -104,6 +104,7 @@ class FileReader {
 
   void read_parameter(const std::string& key, const toml::node& node) {
     const Parameter* parameter = find_parameter(key);
+    if (is_retired_parameter(key)) return;
     if (!parameter) {
       report(node, key, [key] { return unknown_text("a parameter", nearest_parameter_key(key)); });
       return;

@@ -87,7 +87,6 @@ struct ContactParameters {
   double restitution = 0.5;         // Newton's coefficient c_r
   double friction = 0.4;            // Coulomb's mu
   double friction_velocity = 1e-3;  // m/s, sliding speed at which friction is fully developed
-  int samples_per_element = 3;      // interior contact points on an element
   bool spacecraft = true;           // cords touch the spacecraft too
   bool cords = true;                // net, ropes and rods touch each other
 };

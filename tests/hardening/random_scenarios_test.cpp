@@ -57,9 +57,9 @@ double energy_error(const Recording& run) {
   return largest(run.channel(Channel::energy_error)) / scale;
 }
 
-// How deep the deepest contact point of a cord is in the target at the end, m; 0 outside. Between these points the
-// target's corners may stand through a cord, as they may through the meshes of the net.
-double depth_in_target(const Recording& run, int points) {
+// How deep the deepest of many points of a cord's axis is in the target at the end, m; 0 outside.
+double depth_in_target(const Recording& run) {
+  constexpr int points = 33;
   const Snapshot end = run.frame(run.frame_count() - 1);
   double depth = 0;
   for (std::size_t b = 0; b < run.structure().bodies.size(); ++b) {
@@ -115,7 +115,7 @@ Outcome make(unsigned seed, const std::string& path) {
   if (status.reason != RunReason::finished) return result;
   const Recording run(path);
   result.energy = energy_error(run);
-  result.depth = depth_in_target(run, scenario.contact.samples_per_element);
+  result.depth = depth_in_target(run);
   return result;
 }
 

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "engine/contact/segment_distance.h"
+#include "engine/bodies/segment_distance.h"
 #include "engine/dynamics/cord_polyline.h"
 #include "tests/engine/dynamics/models.h"
 #include "tests/engine/verification_table.h"
@@ -203,9 +203,12 @@ TEST_F(VerificationCordContact, EnergyAudit) {
     const double kinetic = system.audit().kinetic;
     advance(system, 0.3, 0.8 * system.stable_step().step);
     const EnergyAudit audit = system.audit();
-    ASSERT_GT(audit.dissipated, 0.01 * kinetic);
-    expect_below(fmt::format("energy error / kinetic energy at the start, cord over rod and cord, mu = {}", friction),
-                 std::abs(audit.error) / kinetic, 2e-3, "work of contact at the mean velocity of each step");
+    ASSERT_GT(audit.spent.total(), 0.01 * kinetic);
+    expect_below(
+        fmt::format("energy error / kinetic energy at the start, cord over rod and cord, mu = {}", friction),
+        std::abs(audit.error) / kinetic, 1e-2,
+        "springs are counted by what they hold: leapfrog's error in impacts of eight steps, and contacts that go "
+        "from one capsule to the next");
   }
 }
 
@@ -231,7 +234,7 @@ TEST_F(VerificationCordContact, EnergyAuditOfABlowOnAClampedEnd) {
   const double kinetic = system.audit().kinetic;
   advance(system, 0.02, 0.5 * system.stable_step().step);
   const EnergyAudit audit = system.audit();
-  ASSERT_GT(audit.dissipated, 0.01 * kinetic);
+  ASSERT_GT(audit.spent.total(), 0.01 * kinetic);
   expect_below("energy error / kinetic energy at the start, blow on a rod's clamped end",
                std::abs(audit.error) / kinetic, 1e-4, "work of contact at the mean velocity of each step");
 }

@@ -58,10 +58,13 @@ struct Contacts {
       block.penetration[lane] = lane == 3 ? 0 : random.uniform(0, 5e-3);
       block.stiffness[lane] = random.uniform(1e4, lane % 2 == 0 ? 1e5 : 1e9);  // the step resolves some of them
       block.damping[lane] = random.uniform(0, 100);
+      block.deepest[lane] = lane == 5 ? 0 : 0.01;  // one that an approach may not press in
+      block.share[lane] = random.uniform(0, 1);
       for (int corner = 0; corner < 4; ++corner) {
         block.slot[corner][lane] = (lane * 7 + corner * 13) % kSlots;
         block.weight[corner][lane] = random.uniform(-0.2, 1);
-        block.place[corner][lane] = contacted.share(block.slot[corner][lane], block.weight[corner][lane]);
+        block.place[corner][lane] =
+            contacted.share(block.slot[corner][lane], block.share[lane] * block.weight[corner][lane]);
       }
     }
     contacted.predict(velocities, inverse_mass, dt, [&](auto blocks, double* rows) {
@@ -84,31 +87,39 @@ struct Contacts {
   ElementWeights weight(int lane) const {
     return {block.weight[0][lane], block.weight[1][lane], block.weight[2][lane], block.weight[3][lane]};
   }
+  Vector3d before(int lane) const {
+    const Vector3d arm = lane_of(block.point, lane) - Vector3d(body.position);
+    const Vector3d surface = Vector3d(body.velocity) + Vector3d(body.angular_velocity).cross(arm);
+    return combine(velocities, slot(lane), weight(lane)) - surface;
+  }
+  double elastic(int lane) const {
+    return block.share[lane] * normal_force({block.stiffness[lane], 0}, block.penetration[lane], 0);
+  }
   // By force_law.h.
-  Vector3d force(int lane, Vector3d& before) const {
+  Vector3d force(int lane) const {
     const Vector3d point = lane_of(block.point, lane), normal = lane_of(block.normal, lane);
     const Vector3d arm = point - Vector3d(body.position);
     const Vector3d surface = Vector3d(body.velocity) + Vector3d(body.angular_velocity).cross(arm);
     const double w = contacted.inverse_mass(slot(lane), weight(lane), inverse_mass) +
                      body.contacts * (body.inverse_mass + arm.squaredNorm() * body.inverse_inertia);
-    before = combine(velocities, slot(lane), weight(lane)) - surface;
     const Vector3d after = combine(contacted, slot(lane), weight(lane)) - surface;
-    const double push = stepped_normal_force({block.stiffness[lane], block.damping[lane]}, block.penetration[lane],
-                                             {before.dot(normal), after.dot(normal)}, w, dt);
+    const NormalLaw law{block.stiffness[lane], block.damping[lane]};
+    const double allowed = std::max(block.deepest[lane] - block.penetration[lane], 0.0) / dt;
+    const double stopping = (-allowed - after.dot(normal)) / (dt * w);
+    const double push = std::max(
+        stepped_normal_force(law, block.penetration[lane], {before(lane).dot(normal), after.dot(normal)}, w, dt),
+        stopping);
     const Vector3d sliding = after - after.dot(normal) * normal;
-    return push * normal - sliding_resistance(friction, friction_velocity, push, sliding.norm(), w, dt) * sliding;
+    const double resistance = sliding_resistance(friction, friction_velocity, push, sliding.norm(), w, dt);
+    return block.share[lane] * (push * normal - resistance * sliding);
   }
 };
 
 TEST_F(VerificationKernels, ContactForces) {
   const Contacts contacts(*this);
   ContactBlock first{};
-  double difference = 0, largest = 0, power = 0;
-  for (int lane = 0; lane < kBlockSize; ++lane)
-    largest = std::max(largest, [&] {
-      Vector3d unused;
-      return contacts.force(lane, unused).norm();
-    }());
+  double difference = 0, largest = 0;
+  for (int lane = 0; lane < kBlockSize; ++lane) largest = std::max(largest, contacts.force(lane).norm());
   for_each_instruction_set<contact_kernel::ForceKernel>(
       contact_kernel::baseline::forces, contact_kernel::avx2::forces, contact_kernel::avx512::forces,
       [&](const std::string& name, contact_kernel::ForceKernel kernel) {
@@ -116,27 +127,34 @@ TEST_F(VerificationKernels, ContactForces) {
         kernel(contacts.view(), contacts.body, &block, 1);
         if (name == "baseline") first = block;
         for (int lane = 0; lane < kBlockSize; ++lane) {
-          Vector3d before;
-          const Vector3d force = contacts.force(lane, before);
+          const Vector3d force = contacts.force(lane), normal = lane_of(block.normal, lane);
           difference = std::max(difference, (lane_of(block.force, lane) - force).norm());
-          EXPECT_LT((lane_of(block.velocity, lane) - before).norm(), 1e-14);
+          EXPECT_NEAR(block.normal_force[lane], force.dot(normal), 1e-12 * largest);
+          EXPECT_NEAR(block.elastic[lane], contacts.elastic(lane), 1e-12 * largest);
           EXPECT_EQ(lane_of(block.force, lane), lane_of(first.force, lane)) << name;
         }
       });
   EXPECT_GT(largest, 1);
   expect_below("contact kernel against the force law, relative", difference / largest, 1e-13, "round-off");
+  contact_kernel::ContactPower power;
   for_each_instruction_set<contact_kernel::PowerKernel>(
       contact_kernel::baseline::power, contact_kernel::avx2::power, contact_kernel::avx512::power,
       [&](const std::string& name, contact_kernel::PowerKernel kernel) {
-        const double here = kernel(contacts.velocities.rows(), contacts.body, &first, 1);
+        const contact_kernel::ContactPower here = kernel(contacts.velocities.rows(), contacts.body, &first, 1);
         if (name == "baseline") power = here;
-        EXPECT_EQ(here, power) << name;
+        EXPECT_EQ(here.damping, power.damping) << name;
+        EXPECT_EQ(here.friction, power.friction) << name;
       });
-  double expected = 0;
+  double all = 0, of_springs = 0, by_friction = 0;
   for (int lane = 0; lane < kBlockSize; ++lane) {
-    expected -= lane_of(first.force, lane).dot(lane_of(first.velocity, lane));
+    const Vector3d normal = lane_of(first.normal, lane), force = lane_of(first.force, lane);
+    const Vector3d velocity = contacts.before(lane);
+    all -= force.dot(velocity);
+    of_springs -= contacts.elastic(lane) * velocity.dot(normal);
+    by_friction -= (force - force.dot(normal) * normal).dot(velocity);
   }
-  EXPECT_NEAR(power, expected, 1e-12 * largest);
+  EXPECT_NEAR(power.friction, by_friction, 1e-12 * largest);
+  EXPECT_NEAR(power.damping + power.friction + of_springs, all, 1e-12 * largest);
 }
 
 TEST_F(VerificationKernels, ContactPoints) {
@@ -147,32 +165,37 @@ TEST_F(VerificationKernels, ContactPoints) {
     elements.push_back({{i, 16 + (i + 3) % 8, (5 * i + 40) % kSlots, 24 + i}, uniform(0.1, 1), CableSection{}});
   }
   const ElementBatch batch(elements);
-  const std::vector<contact_kernel::Sample> samples = {{0.7, 0.1, 0.3, -0.1}, {0.5, 0.125, 0.5, -0.125}};
+  const std::vector<contact_kernel::Vertex> vertices = {
+      {1, 0, 0, 0}, {0.7, 0.1, 0.3, -0.1}, {0.5, 0.125, 0.5, -0.125}, {0, 0, 1, 0}};
+  const std::size_t bounds = vertices.size() * kSlotRows * kBlockSize;
   const Vector3d centre(0.3, -0.2, 0.1);
   AlignedVector<double> first;
   double difference = 0;
-  for_each_instruction_set<contact_kernel::PointKernel>(
-      contact_kernel::baseline::points, contact_kernel::avx2::points, contact_kernel::avx512::points,
-      [&](const std::string& name, contact_kernel::PointKernel kernel) {
-        AlignedVector<double> rows(samples.size() * contact_kernel::kPointRows * kBlockSize);
-        const double nearest =
-            kernel(batch.block(0), samples.data(), samples.size(), coordinates.rows(), centre.data(), rows.data());
+  for_each_instruction_set<contact_kernel::VertexKernel>(
+      contact_kernel::baseline::vertices, contact_kernel::avx2::vertices, contact_kernel::avx512::vertices,
+      [&](const std::string& name, contact_kernel::VertexKernel kernel) {
+        AlignedVector<double> rows(bounds + kBlockSize);
+        kernel(batch.block(0), vertices.data(), vertices.size(), coordinates.rows(), centre.data(), rows.data());
         if (name == "baseline") first = rows;
         EXPECT_EQ(rows, first) << name;
-        double least = 1e9;
-        for (std::size_t s = 0; s < samples.size(); ++s) {
-          for (int lane = 0; lane < kBlockSize; ++lane) {
-            const BatchElement& e = elements[static_cast<std::size_t>(lane)];
+        for (int lane = 0; lane < kBlockSize; ++lane) {
+          const BatchElement& e = elements[static_cast<std::size_t>(lane)];
+          double nearest = 1e9;
+          Vector3d last = Vector3d::Zero();
+          for (std::size_t v = 0; v < vertices.size(); ++v) {
             const Vector3d point = combine(coordinates, {e.slot[0], e.slot[1], e.slot[2], e.slot[3]},
-                                           {samples[s].position1, e.length * samples[s].gradient1, samples[s].position2,
-                                            e.length * samples[s].gradient2});
-            const double* row = rows.data() + s * contact_kernel::kPointRows * kBlockSize + lane;
+                                           {vertices[v].position1, e.length * vertices[v].gradient1,
+                                            vertices[v].position2, e.length * vertices[v].gradient2});
+            const double* row = rows.data() + v * kSlotRows * kBlockSize + lane;
             difference = std::max(difference, (point - Vector3d(row[0], row[8], row[16])).norm());
-            EXPECT_NEAR(row[24], (point - centre).norm(), 1e-14);
-            least = std::min(least, row[24]);
+            for (int i = 0; v > 0 && i <= 100; ++i) {
+              nearest = std::min(nearest, (last + i / 100.0 * (point - last) - centre).norm());
+            }
+            last = point;
           }
+          EXPECT_LE(rows[bounds + static_cast<std::size_t>(lane)], nearest) << "a bound that is none";
+          EXPECT_GE(rows[bounds + static_cast<std::size_t>(lane)], nearest - 1.5) << "capsules of some 3 m";
         }
-        EXPECT_EQ(nearest, least);
       });
   expect_below("points of elements by kernel, m", difference, 1e-14, "round-off");
 }

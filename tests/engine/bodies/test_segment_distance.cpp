@@ -6,7 +6,7 @@
 #include <memory>
 #include <random>
 
-#include "engine/contact/segment_distance.h"
+#include "engine/bodies/segment_distance.h"
 
 namespace netpocket {
 namespace {

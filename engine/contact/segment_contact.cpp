@@ -1,0 +1,205 @@
+#include "engine/contact/segment_contact.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/bodies/symmetric_algebra.h"
+#include "engine/bodies/triangle_mesh.h"
+
+namespace netpocket {
+namespace {
+
+using Eigen::Vector3d;
+
+// Uncertainty (m) of the nearest distance at which the search ends: a thousandth of the depths that contact has.
+constexpr double kTolerance = 1e-8;
+constexpr int kMostTrials = 40;
+
+Vector3d point_at(const Segment& segment, double t) { return segment.start + t * (segment.end - segment.start); }
+
+struct Trial {
+  double t, distance, slope;  // slope: of the distance, m per unit of t
+  Vector3d normal;
+};
+
+Trial trial_of(const SurfacePoint& found, const Segment& segment, double t) {
+  return {t, found.distance, symmetric_dot(found.normal, segment.end - segment.start), found.normal};
+}
+
+Trial try_at(const ContactPart& part, const Segment& segment, double t) {
+  return trial_of(part.nearest(point_at(segment, t)), segment, t);
+}
+
+using Ends = std::array<const SurfacePoint*, 2>;
+
+SegmentPlace place_of(const Trial& trial) { return {trial.t, trial.distance, trial.normal}; }
+
+// The nearest place of a segment to a convex solid whose distance falls at `low` and rises at `high`: by the
+// intersection of the tangents there, which bounds the distance from below, and by the secant of the slopes in turn,
+// which is quick where the distance is smooth.
+SegmentContact search_between(const ContactPart& part, const Segment& segment, double reach, Trial low, Trial high) {
+  SegmentContact result;
+  result.at_ends = {low.distance, high.distance};
+  for (int i = 0; i < kMostTrials; ++i) {
+    const double crossing =
+        ((high.distance - low.distance) + (low.slope * low.t - high.slope * high.t)) / (low.slope - high.slope);
+    const double bound = low.distance + low.slope * (crossing - low.t);
+    if (bound > reach) {
+      result.distance = bound;
+      return result;
+    }
+    if (std::min(low.distance, high.distance) - bound < kTolerance) break;
+    const double secant = low.t - low.slope * (high.t - low.t) / (high.slope - low.slope);
+    double t = i % 2 == 0 ? crossing : secant;
+    if (!(t > low.t && t < high.t)) t = 0.5 * (low.t + high.t);
+    const Trial next = try_at(part, segment, t);
+    (next.slope < 0 ? low : high) = next;
+    if (next.slope == 0) {
+      low = high;
+      break;
+    }
+  }
+  result.nearest = place_of(low.distance < high.distance ? low : high);
+  if (low.slope < 0 && high.slope > 0) {
+    const double part = low.slope / (low.slope - high.slope);
+    result.nearest.normal = (1 - part) * low.normal + part * high.normal;
+  }
+  result.slopes = {low.slope, high.slope};
+  result.distance = result.nearest.distance;
+  result.is_near = result.distance <= reach;
+  return result;
+}
+
+SegmentContact at_end(const Trial& start, const Trial& end, bool is_start, double reach) {
+  const Trial& nearest = is_start ? start : end;
+  return {.distance = nearest.distance,
+          .is_near = nearest.distance <= reach,
+          .nearest = place_of(nearest),
+          .at_ends = {start.distance, end.distance},
+          .slopes = {nearest.slope, nearest.slope}};
+}
+
+SegmentContact nearest_to_convex(const ContactPart& part, const Segment& segment, const Ends& ends, double reach) {
+  const Trial start = trial_of(*ends[0], segment, 0), end = trial_of(*ends[1], segment, 1);
+  if (start.slope >= 0) return at_end(start, end, true, reach);
+  if (end.slope <= 0) return at_end(start, end, false, reach);
+  return search_between(part, segment, reach, start, end);
+}
+
+SegmentContact nearest_to_sphere(const ContactPart& part, double radius, const Segment& segment, const Ends& ends,
+                                 double reach) {
+  const Vector3d start = segment.start - part.centre, along = segment.end - segment.start;
+  const double square = symmetric_squared_norm(along);
+  const double t = square > 0 ? std::clamp(-symmetric_dot(start, along) / square, 0.0, 1.0) : 0.0;
+  const Vector3d arm = start + t * along;
+  const double from_centre = symmetric_norm(arm);
+  SegmentContact result;
+  result.distance = from_centre - radius;
+  if (result.distance > reach) return result;
+  result.is_near = true;
+  result.nearest = {t, result.distance, from_centre > 0 ? Vector3d(arm / from_centre) : Vector3d::UnitY()};
+  result.at_ends = {ends[0]->distance, ends[1]->distance};
+  if (t <= 0 || t >= 1) result.slopes.fill(symmetric_dot(result.nearest.normal, along));
+  return result;
+}
+
+// The triangle nearest to the piece tells where the axis is nearest while it is outside; where it has entered the mesh
+// the deepest of a few places counts. The start's own distance bounds how far the search must go.
+SegmentContact nearest_to_mesh(const ContactPart& part, const TriangleMesh& mesh, const Segment& segment,
+                               const Ends& ends, double reach) {
+  constexpr int kPieces = 8;
+  const Segment local{segment.start - part.centre, segment.end - part.centre};
+  const Trial start = trial_of(*ends[0], segment, 0), end = trial_of(*ends[1], segment, 1);
+  const SegmentHit hit = mesh.tree().nearest_to_segment(local, std::abs(start.distance) + kTolerance);
+  SegmentContact result;
+  if (start.distance > 0 && hit.distance > reach) {
+    result.distance = std::min(hit.distance, start.distance);
+    return result;
+  }
+  Trial nearest = start.distance < end.distance ? start : end;
+  const auto consider = [&](double t) {
+    const Trial trial = try_at(part, segment, t);
+    if (trial.distance < nearest.distance) nearest = trial;
+  };
+  consider(hit.t);
+  if (nearest.distance <= 0) {
+    for (int i = 1; i < kPieces; ++i) consider(static_cast<double>(i) / kPieces);
+  }
+  result.distance = nearest.distance;
+  result.is_near = nearest.distance <= reach;
+  result.nearest = place_of(nearest);
+  result.at_ends = {start.distance, end.distance};
+  if (nearest.t <= 0 || nearest.t >= 1) result.slopes.fill(nearest.slope);
+  return result;
+}
+
+}  // namespace
+
+SegmentContact nearest_on_segment(const ContactPart& part, const Segment& segment, const Ends& ends, double reach) {
+  if (const auto* sphere = std::get_if<Sphere>(&part.solid)) {
+    return nearest_to_sphere(part, sphere->radius, segment, ends, reach);
+  }
+  if (const auto* mesh = std::get_if<MeshShape>(&part.solid)) {
+    return nearest_to_mesh(part, *mesh->mesh, segment, ends, reach);
+  }
+  return nearest_to_convex(part, segment, ends, reach);
+}
+
+namespace {
+
+// A place behind or before the nearest one, and its depth.
+struct DepthAt {
+  double t, depth;
+};
+
+// With d = a + s x + c x^2 and the weight m + b x, x from the nearest place, weight d^2.5 is largest where
+// b d + 2.5 (m + b x) d' = 0. The parabola goes through `known`, which is on the side of the larger weight.
+WeightedPlace deepest_of_parabola(const SegmentContact& contact, double radius, const PieceWeight& weight,
+                                  const DepthAt& known) {
+  const double from = contact.nearest.t, depth = radius - contact.nearest.distance;
+  const double rise = weight.at_end - weight.at_start, here = weight.at(from);
+  const double slope = -contact.slopes[rise > 0 ? 1 : 0], way = known.t - from;
+  if (way == 0) return {from, here, depth, true};
+  const double bend = std::min((known.depth - depth - slope * way) / (way * way), 0.0);
+  const double square = 6 * rise * bend, linear = 3.5 * rise * slope + 5 * here * bend;
+  const double constant = rise * depth + 2.5 * here * slope;
+  const double root = std::sqrt(std::max(linear * linear - 4 * square * constant, 0.0));
+  const double largest = 2 * constant / (root - linear);  // infinite where the depth does not change
+  const double end = (rise > 0 ? 1 : 0) - from;
+  const double x = std::isnan(largest) ? 0 : std::clamp(largest, std::min(end, 0.0), std::max(end, 0.0));
+  return {std::clamp(from + x, 0.0, 1.0), here + rise * x, depth + slope * x + bend * x * x, x == 0};
+}
+
+DepthAt at_heavier_end(const SegmentContact& contact, double radius, const PieceWeight& weight) {
+  const bool is_end = weight.at_end > weight.at_start;
+  return {is_end ? 1.0 : 0.0, radius - contact.at_ends[is_end ? 1 : 0]};
+}
+
+}  // namespace
+
+WeightedPlace estimate_deepest(const SegmentContact& contact, double radius, const PieceWeight& weight) {
+  return deepest_of_parabola(contact, radius, weight, at_heavier_end(contact, radius, weight));
+}
+
+SegmentPlace find_deepest(const ContactPart& part, const Segment& segment, const SegmentContact& contact, double radius,
+                          const PieceWeight& weight) {
+  constexpr int kMostParabolas = 6;
+  constexpr double kCloseEnough = 0.02;  // of the depth
+  DepthAt known = at_heavier_end(contact, radius, weight);
+  for (int i = 0; i < kMostParabolas; ++i) {
+    const WeightedPlace place = deepest_of_parabola(contact, radius, weight, known);
+    if (place.is_nearest) break;
+    const SegmentPlace found = place_on_segment(part, segment, place.t);
+    const double depth = radius - found.distance;
+    if (std::abs(depth - place.depth) <= kCloseEnough * (radius - contact.nearest.distance)) return found;
+    known = {place.t, depth};
+  }
+  return contact.nearest;
+}
+
+SegmentPlace place_on_segment(const ContactPart& part, const Segment& segment, double t) {
+  const SurfacePoint found = part.nearest(point_at(segment, t));
+  return {t, found.distance, found.normal};
+}
+
+}  // namespace netpocket

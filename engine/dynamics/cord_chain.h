@@ -1,0 +1,34 @@
+#pragma once
+// Which elements go on with each other along a cord: those that share a gradient, the end of one and the start of the
+// other.
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/model/model.h"
+
+namespace netpocket {
+
+// For each element the one that goes on with its cord at its second end, or -1.
+inline std::vector<std::int32_t> next_elements(const Model& model) {
+  std::vector<std::int32_t> starting(model.gradients.size(), -1), next;
+  for (std::size_t i = model.elements.size(); i-- > 0;) {
+    starting[static_cast<std::size_t>(model.elements[i].gradient1)] = static_cast<std::int32_t>(i);
+  }
+  next.reserve(model.elements.size());
+  for (const ModelElement& element : model.elements) {
+    next.push_back(starting[static_cast<std::size_t>(element.gradient2)]);
+  }
+  return next;
+}
+
+// For each element the one before it, or -1.
+inline std::vector<std::int32_t> previous_elements(const std::vector<std::int32_t>& next) {
+  std::vector<std::int32_t> previous(next.size(), -1);
+  for (std::size_t i = 0; i < next.size(); ++i) {
+    if (next[i] >= 0) previous[static_cast<std::size_t>(next[i])] = static_cast<std::int32_t>(i);
+  }
+  return previous;
+}
+
+}  // namespace netpocket
