@@ -61,7 +61,7 @@ FactorInterval ratio_of_means(const std::vector<double>& a, const std::vector<do
 
 OrderOfDraws order_of_draws(const std::vector<Draws>& groups, const std::string& unit) {
   const auto is_single = [](const Draws& draws) { return draws.values.size() < 2; };
-  if (std::ranges::any_of(groups, is_single)) return {Verdict::undecided, "one draw decides nothing"};
+  if (std::ranges::any_of(groups, is_single)) return {Verdict::undecided, kOneDraw};
   const auto not_positive = [](const Draws& draws) {
     return std::ranges::any_of(draws.values, [](double v) { return !(v > 0); });
   };

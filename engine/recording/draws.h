@@ -30,6 +30,9 @@ FactorInterval geometric_mean(const std::vector<double>& values);
 // Of b's geometric mean over a's; holds with the probability `confidence`. Needs two draws of each.
 FactorInterval ratio_of_means(const std::vector<double>& a, const std::vector<double>& b, double confidence);
 
+// What is said where a case has a single draw.
+inline constexpr const char* kOneDraw = "one draw decides nothing";
+
 struct OrderOfDraws {
   Verdict verdict = Verdict::undecided;
   std::string text;  // the means, spreads and ratios behind it, or why nothing is decided

@@ -269,7 +269,7 @@ std::vector<Draws> peaks_by_closing(const Runs& runs) {
 }
 
 std::vector<FindingCase> faster_is_harder(const Runs& runs) {
-  std::string ensemble;
+  std::string ensemble = kOneDraw;
   const auto judge = [&] {
     const OrderOfDraws order = order_of_draws(peaks_by_closing(runs), "N");
     ensemble = order.text;
@@ -277,12 +277,15 @@ std::vector<FindingCase> faster_is_harder(const Runs& runs) {
   };
   const auto describe = [&](const RunHistory& run) {
     const double peak = peak_y(run, run.all());
-    return verdict(run, false,
-                   fmt::format("closing ends at {:.4g} s: peak |F_y| {:.3g} N{}{}", run.closing_end(), peak,
-                               ensemble.empty() ? "" : "; ", ensemble),
-                   {{"peak |F_y|", "N", peak}});
+    std::string value = fmt::format("closing ends at {:.4g} s: peak |F_y| {:.3g} N", run.closing_end(), peak);
+    // What all draws say stands at the first of them.
+    if (ensemble == kOneDraw || &run == &runs.front()) value += "; " + ensemble;
+    return verdict(run, false, std::move(value), {{"peak |F_y|", "N", peak}});
   };
-  return joint_verdict(runs, judge, describe);
+  std::vector<FindingCase> cases = joint_verdict(runs, judge, describe);
+  // A run by itself is no less known than three single ones.
+  if (runs.size() == 1 && !cases.front().measures.empty()) cases.front().verdict = Verdict::undecided;
+  return cases;
 }
 
 std::vector<FindingCase> faster_is_earlier(const Runs& runs) {
