@@ -1,13 +1,13 @@
 #pragma once
 // Triangle meshes from files that nobody vouches for: STL (binary and ASCII) and Wavefront OBJ (vertices and faces;
-// polygons become fans of triangles). Nothing else that a file names, such as materials, is followed. Any thread may
-// call it.
+// plane polygons become triangles). Nothing else that a file names, such as materials, is followed. Any thread may call
+// it.
 
 #include <string>
 #include <string_view>
 #include <variant>
 
-#include "engine/bodies/triangle_mesh.h"
+#include "engine/bodies/mesh_data.h"
 
 namespace netpocket {
 

@@ -2,14 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
-#include <optional>
-#include <tuple>
 #include <utility>
 
+#include "engine/bodies/mesh_review.h"
+#include "engine/bodies/mesh_weld.h"
 #include "engine/math/elementary.h"
 
 namespace netpocket {
@@ -17,89 +15,6 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-// One side of a triangle; `from < to` after sorting, `forward` says whether the triangle runs that way.
-struct Side {
-  std::int32_t from, to;
-  bool forward;
-  std::int32_t triangle;
-  int edge;
-};
-
-std::vector<Side> sorted_sides(const std::vector<Triangle>& triangles) {
-  std::vector<Side> sides;
-  sides.reserve(3 * triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    for (int edge = 0; edge < 3; ++edge) {
-      const std::int32_t a = triangles[t][edge], b = triangles[t][(edge + 1) % 3];
-      sides.push_back({std::min(a, b), std::max(a, b), a < b, static_cast<std::int32_t>(t), edge});
-    }
-  }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return std::tie(a.from, a.to, a.triangle, a.edge) < std::tie(b.from, b.to, b.triangle, b.edge);
-  });
-  return sides;
-}
-
-bool same_edge(const Side& a, const Side& b) { return a.from == b.from && a.to == b.to; }
-
-std::string place_text(const Vector3d& p) { return fmt::format("({:.4g}, {:.4g}, {:.4g}) m", p.x(), p.y(), p.z()); }
-
-// What is wrong with the numbers, before anything is computed from them.
-std::optional<std::string> number_problem(const MeshData& data) {
-  const auto count = static_cast<std::int32_t>(data.vertices.size());
-  for (const Triangle& triangle : data.triangles) {
-    for (const std::int32_t corner : triangle) {
-      if (corner < 0 || corner >= count) return "has a triangle with a corner that does not exist";
-    }
-  }
-  for (const Vector3d& vertex : data.vertices) {
-    if (!vertex.allFinite()) return "has a corner whose coordinates are not finite numbers";
-  }
-  return std::nullopt;
-}
-
-std::optional<std::string> size_problem(const MeshData& data) {
-  if (data.triangles.empty()) return "has no triangles";
-  if (data.triangles.size() > kLargestTriangleCount) {
-    return fmt::format("has {} triangles; {} are allowed", data.triangles.size(), kLargestTriangleCount);
-  }
-  Eigen::AlignedBox3d box;
-  for (const Triangle& triangle : data.triangles) {
-    for (const std::int32_t corner : triangle) box.extend(data.vertices[corner]);
-  }
-  const double extent = box.sizes().maxCoeff();
-  if (!(extent <= kLargestMeshExtent && extent >= kSmallestMeshExtent)) {
-    return fmt::format("is {:.4g} m large, not {:g} m to {:g} m as is allowed: is its unit right?", extent,
-                       kSmallestMeshExtent, kLargestMeshExtent);
-  }
-  return std::nullopt;
-}
-
-// Each edge must join exactly two triangles, which run along it in opposite directions.
-std::optional<std::string> surface_problem(const MeshData& data) {
-  const std::vector<Side> sides = sorted_sides(data.triangles);
-  std::size_t open = 0, turned = 0;
-  Vector3d open_place = Vector3d::Zero(), turned_place = Vector3d::Zero();
-  for (std::size_t first = 0, next = 0; first < sides.size(); first = next) {
-    while (next < sides.size() && same_edge(sides[first], sides[next])) ++next;
-    const Vector3d middle = (data.vertices[sides[first].from] + data.vertices[sides[first].to]) / 2;
-    if (next - first != 2) {
-      if (open++ == 0) open_place = middle;
-    } else if (sides[first].forward == sides[first + 1].forward) {
-      if (turned++ == 0) turned_place = middle;
-    }
-  }
-  if (open > 0) {
-    return fmt::format("is not watertight: {} of its edges {} not join exactly two triangles, one of them at {}", open,
-                       open == 1 ? "does" : "do", place_text(open_place));
-  }
-  if (turned > 0) {
-    return fmt::format("has neighbouring triangles that face opposite ways, at {} edges, one of them at {}", turned,
-                       place_text(turned_place));
-  }
-  return std::nullopt;
-}
 
 // Volume, first and second moments of the tetrahedra between the origin and the triangles.
 struct Moments {
@@ -133,62 +48,50 @@ double corner_angle(const Vector3d& at, const Vector3d& b, const Vector3d& c) {
 
 }  // namespace
 
-MeshData welded(const MeshData& data) {
-  const auto key = [&](std::int32_t i) {  // + 0.0: a zero has one sign
-    const Vector3d& v = data.vertices[i];
-    return std::array{v.x() + 0.0, v.y() + 0.0, v.z() + 0.0};
-  };
-  std::vector<std::int32_t> order(data.vertices.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(),
-            [&](std::int32_t a, std::int32_t b) { return std::pair(key(a), a) < std::pair(key(b), b); });
-  std::vector<std::int32_t> twin(data.vertices.size());  // the first vertex at the same place
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool repeated = i > 0 && key(order[i]) == key(order[i - 1]);
-    twin[order[i]] = repeated ? twin[order[i - 1]] : order[i];
-  }
-  MeshData result;
-  std::vector<std::int32_t> renumbered(data.vertices.size(), -1);
-  for (const Triangle& triangle : data.triangles) {
-    const Triangle t = {twin[triangle[0]], twin[triangle[1]], twin[triangle[2]]};
-    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
-    Triangle& added = result.triangles.emplace_back();
-    for (int i = 0; i < 3; ++i) {
-      std::int32_t& number = renumbered[t[i]];
-      if (number < 0) {
-        number = static_cast<std::int32_t>(result.vertices.size());
-        result.vertices.push_back(data.vertices[t[i]]);
-      }
-      added[i] = number;
-    }
-  }
-  return result;
-}
-
-std::variant<std::shared_ptr<const TriangleMesh>, std::string> TriangleMesh::make(MeshData data) {
-  if (auto problem = number_problem(data)) return *problem;
-  data = welded(data);
-  if (auto problem = size_problem(data)) return *problem;
-  if (auto problem = surface_problem(data)) return *problem;
-  std::shared_ptr<TriangleMesh> mesh(new TriangleMesh(std::move(data)));
-  mesh->integrate();
-  const double size = mesh->bounds_.sizes().maxCoeff();
-  if (mesh->volume_ < 0)
-    return fmt::format("is inverted: its triangles face inwards (volume {:.4g} m^3)", mesh->volume_);
-  constexpr double kFlat = 1e-12;
-  if (!(mesh->volume_ > kFlat * size * size * size)) return "encloses no volume";
-  mesh->find_normals();
-  std::vector<TriangleTree::Corners> corners;
-  corners.reserve(mesh->triangles().size());
-  for (const Triangle& t : mesh->triangles()) {
-    corners.push_back({mesh->vertices()[t[0]], mesh->vertices()[t[1]], mesh->vertices()[t[2]]});
-  }
-  mesh->tree_ = TriangleTree(corners);
+TriangleMesh::Result TriangleMesh::make(const MeshData& data) {
+  MeshReview review = review_mesh(data);
+  if (!review.faults.empty()) return review.faults.front().text;
+  std::shared_ptr<TriangleMesh> mesh(new TriangleMesh(std::move(review.mesh), review.edges));
+  mesh->joined_corners_ = review.joined;
+  mesh->weld_tolerance_ = review.weld_tolerance;
   return std::shared_ptr<const TriangleMesh>(std::move(mesh));
 }
 
-TriangleMesh::TriangleMesh(MeshData data) : data_(std::move(data)) {
+TriangleMesh::Result TriangleMesh::restore(MeshData data) {
+  if (std::string problem = number_fault(data); !problem.empty()) return problem;
+  if (data.triangles.empty() || data.triangles.size() > kLargestTriangleCount) {
+    return fmt::format("has {} triangles, not 1 to {}", data.triangles.size(), kLargestTriangleCount);
+  }
+  constexpr double kSlack = 1 + 1e-9;  // for round-off of the extent when the mesh was moved
+  const double extent = mesh_extent(data);
+  if (!(extent <= kSlack * kLargestMeshExtent && extent >= kSmallestMeshExtent / kSlack)) {
+    return fmt::format("is {:.4g} m large, not {:g} m to {:g} m", extent, kSmallestMeshExtent, kLargestMeshExtent);
+  }
+  const MeshEdges edges = find_edges(data);
+  if (!edges.open.empty() || !edges.forked.empty() || !edges.turned.empty()) {
+    return std::string("is not watertight");
+  }
+  split_vertices(data, edges);
+  std::shared_ptr<TriangleMesh> mesh(new TriangleMesh(std::move(data), edges));
+  if (!(mesh->volume_ > 0) || !std::isfinite(mesh->volume_)) return std::string("encloses no volume");
+  return std::shared_ptr<const TriangleMesh>(std::move(mesh));
+}
+
+std::shared_ptr<const TriangleMesh> TriangleMesh::of_closed(MeshData data) {
+  const MeshEdges edges = find_edges(data);
+  return std::shared_ptr<const TriangleMesh>(new TriangleMesh(std::move(data), edges));
+}
+
+TriangleMesh::TriangleMesh(MeshData data, const MeshEdges& edges) : data_(std::move(data)) {
   for (const Vector3d& vertex : data_.vertices) bounds_.extend(vertex);
+  integrate();
+  find_normals(edges);
+  std::vector<TriangleTree::Corners> corners;
+  corners.reserve(data_.triangles.size());
+  for (const Triangle& t : data_.triangles) {
+    corners.push_back({data_.vertices[t[0]], data_.vertices[t[1]], data_.vertices[t[2]]});
+  }
+  tree_ = TriangleTree(corners);
 }
 
 void TriangleMesh::integrate() {
@@ -208,7 +111,7 @@ void TriangleMesh::integrate() {
   unit_inertia_ = second.trace() * Matrix3d::Identity() - second;
 }
 
-void TriangleMesh::find_normals() {
+void TriangleMesh::find_normals(const MeshEdges& edges) {
   const auto corner = [&](const Triangle& t, int i) -> const Vector3d& { return data_.vertices[t[i % 3]]; };
   vertex_normals_.assign(data_.vertices.size(), Vector3d::Zero());
   double area = 0;
@@ -224,10 +127,11 @@ void TriangleMesh::find_normals() {
   typical_edge_ = std::sqrt(area / static_cast<double>(data_.triangles.size()) * 4 / std::sqrt(3.0));
 
   edge_normals_.resize(data_.triangles.size());
-  const std::vector<Side> sides = sorted_sides(data_.triangles);
-  for (std::size_t i = 0; i < sides.size(); i += 2) {
-    const Vector3d sum = face_normals_[sides[i].triangle] + face_normals_[sides[i + 1].triangle];
-    for (const Side& side : {sides[i], sides[i + 1]}) edge_normals_[side.triangle][side.edge] = unit_or_zero(sum);
+  for (std::size_t t = 0; t < data_.triangles.size(); ++t) {
+    for (int edge = 0; edge < 3; ++edge) {
+      const std::int32_t mate = edges.mates[t][edge];
+      edge_normals_[t][edge] = unit_or_zero(face_normals_[t] + face_normals_[mate / 3]);
+    }
   }
 }
 

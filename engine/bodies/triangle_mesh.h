@@ -20,33 +20,26 @@
 #include <variant>
 #include <vector>
 
+#include "engine/bodies/mesh_data.h"
+#include "engine/bodies/mesh_edges.h"
 #include "engine/bodies/surface_point.h"
 #include "engine/bodies/triangle_tree.h"
 
 namespace netpocket {
 
-using Triangle = std::array<std::int32_t, 3>;  // corners, counter-clockwise seen from outside
-
-// Triangles as they come: nothing is known of them.
-struct MeshData {
-  std::vector<Eigen::Vector3d> vertices;
-  std::vector<Triangle> triangles;
-};
-
-// Larger meshes are refused.
-inline constexpr std::size_t kLargestTriangleCount = 2'000'000;
-inline constexpr double kSmallestMeshExtent = 1e-2;  // m, of the largest edge of the box round it
-inline constexpr double kLargestMeshExtent = 1e3;    // m
-
-// Joins vertices that are equal to the last bit and leaves out triangles that this shrinks to a line or a point. Files
-// such as STL give every triangle its own corners.
-MeshData welded(const MeshData& data);
-
 class TriangleMesh {
  public:
-  // Closed surfaces, one or several that do not intersect (which is not checked); a surface within another bounds a
-  // hollow. The mesh, or the rest of a sentence that begins with its name ("is not watertight: ...").
-  static std::variant<std::shared_ptr<const TriangleMesh>, std::string> make(MeshData data);
+  using Result = std::variant<std::shared_ptr<const TriangleMesh>, std::string>;
+
+  // Closed surfaces, one or several; one within another bounds a hollow. Corners that differ by round-off are joined.
+  // The mesh, or the rest of a sentence that begins with its name ("is not watertight: ..."): the first that
+  // review_mesh() finds.
+  static Result make(const MeshData& data);
+  // Of the vertices and triangles of a mesh that was made before and stored: nothing is joined, and only what the
+  // computations rely on is looked at.
+  static Result restore(MeshData data);
+  // Of closed surfaces that face outwards and enclose a volume, which is not looked at.
+  static std::shared_ptr<const TriangleMesh> of_closed(MeshData data);
 
   const std::vector<Eigen::Vector3d>& vertices() const { return data_.vertices; }
   const std::vector<Triangle>& triangles() const { return data_.triangles; }
@@ -59,6 +52,9 @@ class TriangleMesh {
   const Eigen::AlignedBox3d& bounds() const { return bounds_; }
   double bounding_radius() const { return bounding_radius_; }  // m, about the origin
   double typical_edge() const { return typical_edge_; }        // m, of an equilateral triangle of mean area
+  // Corners that make() joined although they differed, and how far they may (m).
+  std::size_t joined_corners() const { return joined_corners_; }
+  double weld_tolerance() const { return weld_tolerance_; }
 
   // Nearest point of the surface. The first of equally near triangles decides.
   SurfacePoint nearest(const Eigen::Vector3d& point) const;
@@ -70,9 +66,9 @@ class TriangleMesh {
   const TriangleTree& tree() const { return tree_; }
 
  private:
-  explicit TriangleMesh(MeshData data);
+  TriangleMesh(MeshData data, const MeshEdges& edges);  // all edges join two triangles
   void integrate();
-  void find_normals();
+  void find_normals(const MeshEdges& edges);
   SurfacePoint surface_point(const Eigen::Vector3d& point, const TriangleHit& hit) const;
   Eigen::Vector3d pseudo_normal(const TriangleHit& hit) const;
 
@@ -83,6 +79,8 @@ class TriangleMesh {
   Eigen::AlignedBox3d bounds_;
   double bounding_radius_ = 0;
   double typical_edge_ = 0;
+  std::size_t joined_corners_ = 0;
+  double weld_tolerance_ = 0;
   std::vector<Eigen::Vector3d> face_normals_;                 // by triangle
   std::vector<std::array<Eigen::Vector3d, 3>> edge_normals_;  // by triangle: of the edges 0-1, 1-2, 2-0
   std::vector<Eigen::Vector3d> vertex_normals_;               // by vertex

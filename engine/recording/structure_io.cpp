@@ -185,7 +185,7 @@ std::vector<MeshPointer> read_meshes(const InputFile& file) {
       data.vertices.emplace_back(vertices[3 * vertex], vertices[3 * vertex + 1], vertices[3 * vertex + 2]);
     for (std::int32_t k = 0; k < sizes[i + 1]; ++k, ++triangle)
       data.triangles.push_back({corners[3 * triangle], corners[3 * triangle + 1], corners[3 * triangle + 2]});
-    auto mesh = TriangleMesh::make(std::move(data));
+    auto mesh = TriangleMesh::restore(std::move(data));
     if (const auto* problem = std::get_if<std::string>(&mesh)) throw Hdf5Error("a mesh " + *problem);
     meshes.push_back(std::get<MeshPointer>(std::move(mesh)));
   }

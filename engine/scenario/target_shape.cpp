@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <memory>
 #include <mutex>
@@ -13,6 +12,7 @@
 
 #include "engine/bodies/mesh_file.h"
 #include "engine/bodies/triangle_mesh.h"
+#include "engine/scenario/mesh_unit.h"
 #include "engine/scenario/parameter_text.h"
 
 namespace netpocket {
@@ -23,11 +23,6 @@ namespace fs = std::filesystem;
 using MeshResult = std::variant<std::shared_ptr<const TriangleMesh>, std::string>;
 
 constexpr char kMeshKey[] = "target.mesh_file";
-
-double metres(MeshUnit unit) {
-  constexpr std::array kMetres = {1.0, 1e-2, 1e-3, 0.0254, 0.3048};
-  return kMetres[static_cast<std::size_t>(unit)];
-}
 
 bool is_inside(const fs::path& folder, const fs::path& file) {
   return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first == folder.end();
@@ -57,7 +52,7 @@ std::variant<fs::path, std::string> allowed_path(const FileScope& scope, const s
 MeshResult load_mesh(const std::string& path, double scale) {
   auto data = read_mesh_file(path, scale);
   if (auto* problem = std::get_if<std::string>(&data)) return std::move(*problem);
-  return TriangleMesh::make(std::move(std::get<MeshData>(data)));
+  return TriangleMesh::make(std::get<MeshData>(data));
 }
 
 // What tells whether a file is still the one that was read.

@@ -9,6 +9,8 @@
 #include <iostream>
 #include <numbers>
 
+#include "engine/bodies/mesh_weld.h"
+
 namespace netpocket::samples {
 namespace {
 
@@ -62,7 +64,7 @@ MeshData geodesic_sphere(double radius, int frequency) {
       }
     }
   }
-  return welded(data);
+  return weld(data, 0).mesh;
 }
 
 MeshData equal_volume_sphere(double radius, int frequency) {
@@ -95,7 +97,7 @@ MeshData cylinder(double radius, double length, int sides) {
     add(data, top, next + top, here + top);
     add(data, -top, here - top, next - top);
   }
-  return welded(data);
+  return weld(data, 0).mesh;
 }
 
 MeshData torus(double radius, double tube_radius, int sides, int tube_sides) {
@@ -111,7 +113,7 @@ MeshData torus(double radius, double tube_radius, int sides, int tube_sides) {
       add(data, point(i, j), point(i + 1, j + 1), point(i + 1, j));
     }
   }
-  return welded(data);
+  return weld(data, 0).mesh;
 }
 
 MeshData wedge() {
@@ -121,7 +123,7 @@ MeshData wedge() {
   add(data, a, d, b);
   add(data, b, d, c);
   add(data, c, d, a);
-  return welded(data);
+  return weld(data, 0).mesh;
 }
 
 MeshData moved(MeshData data, const Vector3d& by) {

@@ -1,0 +1,16 @@
+#pragma once
+// Meshes as the bytes of files. Any thread may call these functions.
+
+#include <string>
+
+#include "engine/bodies/mesh_data.h"
+
+namespace netpocket {
+
+// Wavefront OBJ: coordinates with the fewest digits that read back to the same number.
+std::string obj_text(const MeshData& mesh);
+
+// Binary STL: coordinates in single precision.
+std::string binary_stl(const MeshData& mesh);
+
+}  // namespace netpocket
