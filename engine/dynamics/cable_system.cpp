@@ -249,6 +249,7 @@ CableSystem& CableSystem::operator=(CableSystem&&) noexcept = default;
 const Model& CableSystem::model() const { return impl_->model; }
 double CableSystem::time() const { return impl_->time; }
 std::int64_t CableSystem::steps() const { return impl_->steps; }
+double CableSystem::helpers_cpu_seconds() const { return impl_->team ? impl_->team->members_cpu_seconds() : 0; }
 ElementEvaluation CableSystem::evaluation() const { return impl_->options.evaluation; }
 void CableSystem::step(double dt) { impl_->step(dt); }
 

@@ -71,6 +71,7 @@ class CableSystem {
   const Model& model() const;
   double time() const;  // s
   std::int64_t steps() const;
+  double helpers_cpu_seconds() const;  // processor time of the threads that help the caller's, s
   ElementEvaluation evaluation() const;
 
   // Largest stable step at the present rope lengths, without a safety factor.

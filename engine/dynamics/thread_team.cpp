@@ -1,5 +1,8 @@
 #include "engine/dynamics/thread_team.h"
 
+#include <pthread.h>
+#include <time.h>
+
 #include <algorithm>
 #include <tuple>
 
@@ -33,6 +36,17 @@ ThreadTeam::~ThreadTeam() {
   ended_ = true;
   ++round_;
   round_.notify_all();
+}
+
+double ThreadTeam::members_cpu_seconds() {
+  double sum = 0;
+  for (std::jthread& member : members_) {
+    clockid_t clock{};
+    timespec used{};
+    if (pthread_getcpuclockid(member.native_handle(), &clock) != 0 || clock_gettime(clock, &used) != 0) continue;
+    sum += static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
+  }
+  return sum;
 }
 
 std::pair<int, int> ThreadTeam::Part::take(bool from_front) {

@@ -32,6 +32,9 @@ class ThreadTeam {
   void run(int count, int grain, const std::function<void(int first, int last)>& work,
            const std::function<void()>& meanwhile = no_work);
 
+  // Processor time that the members other than the caller have used so far, s.
+  double members_cpu_seconds();
+
   // Where part `part` of `parts` of [0, count) begins: a thread's part.
   static int bound(int count, int part, int parts) {
     return static_cast<int>(static_cast<std::int64_t>(count) * part / parts);

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <optional>
+#include <set>
 #include <sstream>
 
 #include "engine/scenario/parameter_text.h"
@@ -72,7 +73,10 @@ class StudyReader {
     apply_settings(scenario, study_.settings);
     study_.places = read_named(file, "point", scenario);
     study_.variants = read_named(file, "variant", scenario);
-    if (const toml::table* vary = table(file, "vary")) read_axes(*vary, "", scenario);
+    if (const toml::table* vary = table(file, "vary")) {
+      read_axes(*vary, "", scenario);
+      check_repeated_axes(*vary);
+    }
     if (const toml::table* ensemble = table(file, "ensemble")) read_ensemble(*ensemble, scenario);
     read_remarks(file);
     if (const toml::table* report = table(file, "report")) read_report(*report);
@@ -84,7 +88,11 @@ class StudyReader {
   StudyResult result() { return {std::move(study_), std::move(found_)}; }
 
   void report(int line, const std::string& key, const std::string& message) {
-    found_.add({.file = path_, .line = line, .key = key, .message = message});
+    add({.file = path_, .line = line, .key = key, .message = message});
+  }
+  // Each sentence once.
+  void add(Diagnostic problem) {
+    if (said_.insert(problem.text()).second) found_.add(std::move(problem));
   }
   void report(const toml::node& node, const std::string& key, const std::string& message) {
     report(line_of(node), key, message);
@@ -115,6 +123,10 @@ class StudyReader {
     std::string base;
     read_text(file, "base", base);
     if (base.empty()) return report(1, "base", "names the scenario that the study starts from, e.g. \"../case1.toml\"");
+    if (std::filesystem::path(base).is_absolute()) {
+      return report(*file.get("base"), "base",
+                    netpocket::quoted(base) + " is an absolute path; a base is named relative to the study's file");
+    }
     ScenarioResult scenario = read_scenario_file((std::filesystem::path(path_).parent_path() / base).string());
     for (const Diagnostic& diagnostic : scenario.diagnostics.list()) found_.add(diagnostic);
     study_.base = std::move(scenario.scenario);
@@ -164,16 +176,37 @@ class StudyReader {
       try_setting(*node, scenario, setting);
       settings.push_back(std::move(setting));
     }
+    if (prefix.empty()) check_repeated(table, settings);
     return settings;
   }
 
-  void try_setting(const toml::node& node, Scenario scenario, const Setting& setting) {
-    const Diagnostics problems = apply_setting(scenario, setting);
-    for (Diagnostic problem : problems.list()) {
+  // A key may be written in a table of its group or in quotes, but once.
+  void check_repeated(const toml::table& table, const std::vector<Setting>& settings) {
+    std::set<std::string> keys;
+    for (const Setting& setting : settings) {
+      if (!keys.insert(setting.key).second) report(table, setting.key, "is set twice");
+    }
+  }
+
+  std::vector<Diagnostic> setting_problems(const toml::node& node, Scenario scenario, const Setting& setting) const {
+    const auto file = node.value<std::string>();
+    if (setting.key == "target.mesh_file" && file && std::filesystem::path(*file).is_absolute()) {
+      return {{.file = path_,
+               .line = line_of(node),
+               .key = setting.key,
+               .message = netpocket::quoted(*file) +
+                          " is an absolute path; a study names meshes in the folder of its base or below"}};
+    }
+    std::vector<Diagnostic> problems = apply_setting(scenario, setting).list();
+    for (Diagnostic& problem : problems) {
       problem.file = path_;
       problem.line = line_of(node);
-      found_.add(std::move(problem));
     }
+    return problems;
+  }
+
+  void try_setting(const toml::node& node, const Scenario& scenario, const Setting& setting) {
+    for (Diagnostic& problem : setting_problems(node, scenario, setting)) add(std::move(problem));
   }
 
   // [[point]] and [[variant]]: each with a name and settings. Without any: one without either.
@@ -190,8 +223,9 @@ class StudyReader {
       NamedSettings named;
       read_text(entry, "name", named.name);
       const auto same = [&](const NamedSettings& other) { return other.name == named.name; };
-      if (named.name.empty() || named.name.find('/') != named.name.npos) {
-        report(element, key + ".name", "expects a name, without '/'");
+      const auto is_bad = [](char c) { return c == '/' || static_cast<unsigned char>(c) < 0x20; };
+      if (named.name.empty() || std::any_of(named.name.begin(), named.name.end(), is_bad)) {
+        report(element, key + ".name", "expects a name in one line, without '/'");
       } else if (std::any_of(list.begin(), list.end(), same)) {
         report(element, key + ".name", netpocket::quoted(named.name) + " is the name of another one");
       }
@@ -216,12 +250,22 @@ class StudyReader {
     }
   }
 
+  void check_repeated_axes(const toml::table& vary) {
+    std::set<std::string> keys;
+    for (const Axis& axis : study_.axes) {
+      if (!keys.insert(axis.key).second) report(vary, axis.key, "is varied twice");
+    }
+  }
+
   void read_list(const std::string& key, const toml::array& list, const Scenario& scenario) {
     if (list.empty()) return report(list, key, "has no values");
     Axis axis{.key = key};
+    std::set<std::string> said;  // what holds for all values is said of the first
     for (const toml::node& value : list) {
       axis.values.push_back(value_text(value));
-      try_setting(value, scenario, {key, axis.values.back()});
+      for (Diagnostic& problem : setting_problems(value, scenario, {key, axis.values.back()})) {
+        if (said.insert(problem.message).second) add(std::move(problem));
+      }
     }
     study_.axes.push_back(std::move(axis));
   }
@@ -312,6 +356,7 @@ class StudyReader {
   }
 
   std::string path_;
+  std::set<std::string> said_;
   Study study_;
   Diagnostics found_;
 };

@@ -11,6 +11,7 @@
 
 #include "engine/dynamics/run.h"
 #include "engine/recording/text_file.h"
+#include "engine/study/study_folder.h"
 
 namespace netpocket {
 namespace {
@@ -30,6 +31,18 @@ void make_folder(const std::string& path) {
   if (error) throw RecordingError(fmt::format("cannot make the folder \"{}\": {}", path, error.message()));
 }
 
+// Leaves what is not there, or is a folder that holds something.
+void remove_own(const std::string& path) {
+  std::error_code ignored;
+  std::filesystem::remove(path, ignored);
+}
+
+// Problems in one line.
+std::string in_one_line(std::string text) {
+  for (auto end = text.find('\n'); end != text.npos; end = text.find('\n', end)) text.replace(end, 1, "; ");
+  return text;
+}
+
 class StudyRunner {
  public:
   StudyRunner(const Study& study, const std::string& folder, const StudyOptions& options, const StudyCallback& progress)
@@ -38,6 +51,7 @@ class StudyRunner {
   }
 
   StudyOutcome run(const std::stop_token& stop) {
+    const OwnedStudyFolder own(folder_, study_.name);
     make_folder(folder_ + "/points");
     make_folder(folder_ + "/runs");
     for (std::size_t i = 0; i < points_.size(); ++i) prepare(i);
@@ -47,7 +61,7 @@ class StudyRunner {
       std::vector<std::jthread> workers;
       for (int i = 0; i < options_.jobs; ++i) workers.emplace_back([this] { work(); });
     }
-    if (!study_.keep_recordings) std::filesystem::remove_all(folder_ + "/runs");
+    if (!study_.keep_recordings) remove_recordings();
     StudyOutcome outcome = collect();
     write_text_file(folder_ + "/study.csv", study_csv(study_, outcome.records));
     write_text_file(folder_ + "/study.json", study_json(study_, outcome.records).dump(1) + "\n");
@@ -67,7 +81,7 @@ class StudyRunner {
     std::string problems;
     for (const NamedSettings& variant : study_.variants) {
       StudyScenario made = study_scenario(study_, points_[index], variant);
-      if (!made.diagnostics.ok() && problems.empty()) problems = made.diagnostics.text();
+      if (!made.diagnostics.ok() && problems.empty()) problems = in_one_line(made.diagnostics.text());
       scenarios.push_back(std::move(made.scenario));
     }
     const std::string identity = point_identity(scenarios, options_.version + options_.commit);
@@ -124,6 +138,10 @@ class StudyRunner {
       counted = time;
       report();
     };
+    {
+      const std::scoped_lock lock(mutex_);
+      made_.push_back(work.files[task.variant]);
+    }
     const RunResult result = run_to_recording(
         scenario, work.files[task.variant], run_options, [&](const RunProgress& p) { count_until(p.time); },
         stop_.get_token());
@@ -141,9 +159,15 @@ class StudyRunner {
       keep(work.index, run_record(work.index, points_[work.index], work.identity, study_.variants, recordings));
     }
     if (!study_.keep_recordings) {
-      for (const std::string& file : work.files) std::filesystem::remove(file);
+      for (const std::string& file : work.files) remove_own(file);
     }
     report();
+  }
+
+  // Those that this call made and did not finish; what earlier ones were told to keep stays.
+  void remove_recordings() {
+    for (const std::string& file : made_) remove_own(file);
+    remove_own(folder_ + "/runs");
   }
 
   void report() const {
@@ -185,6 +209,7 @@ class StudyRunner {
   double seconds_run_ = 0;
   std::vector<std::optional<StudyRecord>> records_;  // by point
   std::size_t points_done_ = 0;
+  std::vector<std::string> made_;  // recordings that were begun
   std::exception_ptr failure_;
 };
 

@@ -90,7 +90,10 @@ Diagnostics apply_setting(Scenario& scenario, const Setting& setting) {
     return single(setting.key, "is not a parameter nor a number of one, such as target.radius or rods.profile[1][0]");
   }
   if (!place->indices.empty()) return apply_to_number(scenario, setting, *place);
-  return apply_setting(scenario, setting.key + "=" + setting.value);
+  const bool allows_absolute = scenario.files.allows_absolute;
+  Diagnostics problems = apply_setting(scenario, setting.key + "=" + setting.value);
+  scenario.files.allows_absolute = allows_absolute;  // a study is a file, not the command line
+  return problems;
 }
 
 Diagnostics apply_settings(Scenario& scenario, const std::vector<Setting>& settings) {

@@ -40,13 +40,15 @@ std::string number_text(const Axis& axis, double value) {
   return fmt::format("{:.12g}", value);
 }
 
-std::string grid_value(const Axis& axis, std::size_t index) {
-  if (!axis.values.empty()) return axis.values[index];
-  return number_text(axis, between(axis, static_cast<double>(index) / (axis.steps - 1)));
-}
-
-std::size_t grid_size(const Axis& axis) {
-  return axis.values.empty() ? static_cast<std::size_t>(axis.steps) : axis.values.size();
+// A range of whole numbers may hold fewer of them than it has steps: each is taken once.
+std::vector<std::string> grid_values(const Axis& axis) {
+  if (!axis.values.empty()) return axis.values;
+  std::vector<std::string> values;
+  for (int i = 0; i < axis.steps; ++i) {
+    std::string text = number_text(axis, between(axis, static_cast<double>(i) / (axis.steps - 1)));
+    if (values.empty() || values.back() != text) values.push_back(std::move(text));
+  }
+  return values;
 }
 
 // `fraction` in [0, 1).
@@ -59,21 +61,26 @@ std::string sampled_value(const Axis& axis, double fraction) {
   return fmt::format("{}", static_cast<std::int64_t>(std::floor(axis.from + fraction * (axis.to - axis.from + 1))));
 }
 
-// The settings of one combination; the last axis changes fastest.
-std::vector<Setting> grid_settings(const std::vector<Axis>& axes, std::size_t combination) {
+// The values of one combination by axis; the last axis changes fastest.
+std::vector<Setting> grid_settings(const std::vector<Axis>& axes, const std::vector<std::vector<std::string>>& values,
+                                   std::size_t combination) {
   std::vector<Setting> settings(axes.size());
   for (std::size_t i = axes.size(); i-- > 0;) {
-    settings[i] = {axes[i].key, grid_value(axes[i], combination % grid_size(axes[i]))};
-    combination /= grid_size(axes[i]);
+    settings[i] = {axes[i].key, values[i][combination % values[i].size()]};
+    combination /= values[i].size();
   }
   return settings;
 }
 
 std::vector<std::vector<Setting>> grid(const Study& study) {
+  std::vector<std::vector<std::string>> values;
   std::size_t count = 1;
-  for (const Axis& axis : study.axes) count *= grid_size(axis);
+  for (const Axis& axis : study.axes) {
+    values.push_back(grid_values(axis));
+    count *= values.back().size();
+  }
   std::vector<std::vector<Setting>> points(count);
-  for (std::size_t i = 0; i < count; ++i) points[i] = grid_settings(study.axes, i);
+  for (std::size_t i = 0; i < count; ++i) points[i] = grid_settings(study.axes, values, i);
   return points;
 }
 

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <fstream>
 
+#include "engine/bodies/triangle_mesh.h"
 #include "engine/recording/report.h"
+#include "engine/scenario/target_shape.h"
 #include "engine/scenario/write_scenario.h"
 
 namespace netpocket {
@@ -20,6 +22,24 @@ std::uint64_t hash(std::string_view text) {
   return value;
 }
 
+void append(std::string& bytes, const void* values, std::size_t size) {
+  bytes.append(static_cast<const char*>(values), size);
+}
+
+// The mesh that a scenario takes from a file, which its text only names.
+std::string mesh_bytes(const Scenario& scenario) {
+  if (scenario.target.shape != TargetShape::mesh) return {};
+  const auto shape = target_shape(scenario);
+  const auto* found = std::get_if<Shape>(&shape);
+  if (!found) return {};
+  const TriangleMesh& mesh = *std::get<MeshShape>(*found).mesh;
+  std::string bytes;
+  append(bytes, mesh.centre_in_file().data(), 3 * sizeof(double));
+  for (const Eigen::Vector3d& vertex : mesh.vertices()) append(bytes, vertex.data(), 3 * sizeof(double));
+  append(bytes, mesh.triangles().data(), mesh.triangles().size() * sizeof(Triangle));
+  return bytes;
+}
+
 StudyRecord head(std::size_t index, const StudyPoint& point, const std::string& identity) {
   Json settings = Json::object();
   for (const Setting& setting : point.settings) settings[setting.key] = setting.value;
@@ -30,11 +50,17 @@ StudyRecord head(std::size_t index, const StudyPoint& point, const std::string& 
           {"identity", identity}};
 }
 
-// As RFC 4180 has it.
+// As RFC 4180 has it, but that a row is a line: ends of lines in a text are written as in TOML.
 std::string csv_cell(const std::string& text) {
   if (text.find_first_of(",\"\n\r") == text.npos) return text;
   std::string cell(1, '"');
-  for (const char c : text) cell.append(c == '"' ? 2 : 1, c);
+  for (const char c : text) {
+    if (c == '\n' || c == '\r') {
+      cell += c == '\n' ? "\\n" : "\\r";
+    } else {
+      cell.append(c == '"' ? 2 : 1, c);
+    }
+  }
   cell += '"';
   return cell;
 }
@@ -104,7 +130,9 @@ std::vector<std::string> first_cells(const StudyRecord& record, const std::vecto
 
 std::string point_identity(const std::vector<Scenario>& scenarios, const std::string& program) {
   std::string all = program;
-  for (const Scenario& scenario : scenarios) all.append(1, '\n').append(write_scenario_text(scenario));
+  for (const Scenario& scenario : scenarios) {
+    all.append(1, '\n').append(write_scenario_text(scenario)).append(mesh_bytes(scenario));
+  }
   return fmt::format("{:016x}", hash(all));
 }
 

@@ -16,7 +16,8 @@ namespace netpocket {
 // "findings" as findings_json}.
 using StudyRecord = nlohmann::ordered_json;
 
-// What a record depends on: the program and the complete scenarios of the point's variants, as 16 digits.
+// What a record depends on: the program and the complete scenarios of the point's variants, with the meshes that they
+// name, as 16 digits.
 std::string point_identity(const std::vector<Scenario>& scenarios, const std::string& program);
 
 StudyRecord refused_record(std::size_t index, const StudyPoint& point, const std::string& identity,

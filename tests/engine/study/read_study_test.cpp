@@ -96,6 +96,13 @@ TEST(ReadStudy, SaysWhatIsWrong) {
       {"[[variant]]\nname = \"a\"\n[[variant]]\nname = \"a\"", "\"a\" is the name of another one"},
       {"[variant]\nname = \"a\"", "variant: is a list of tables: write [[variant]]"},
       {"[set]\nnet.diameter = 4", "study.toml:3: net.diameter: must be >= 1e-5"},
+      {"[set]\ntarget.mass = 100\n\"target.mass\" = 200", "target.mass: is set twice"},
+      {"[vary]\ntarget.mass = [1, 2]\n\"target.mass\" = [3]", "target.mass: is varied twice"},
+      {"[[variant]]\nname = \"a\\nb\"", "variant.name: expects a name in one line, without '/'"},
+      {"[set]\ntarget.mesh_file = \"/tmp/a.stl\"",
+       "study.toml:3: target.mesh_file: \"/tmp/a.stl\" is an absolute path; a "
+       "study names meshes in the folder of its base or below"},
+      {"[vary]\ntarget.mesh_file = [\"a.stl\", \"/tmp/a.stl\"]", "\"/tmp/a.stl\" is an absolute path"},
       {"vary = 3", "vary: is a table: write [vary]"},
       {"[ensemble]\nseeds = 16", "study.toml:3: seeds: is not a key of a study; these are: runs, perturbation"},
       {"[ensemble]\nperturbation = 1e-6", "ensemble.runs: says how many draws to make, e.g. 16"},
@@ -112,6 +119,22 @@ TEST(ReadStudy, SaysWhatIsWrong) {
     EXPECT_NE(result.diagnostics.text().find(c.says), std::string::npos) << c.text << ":\n"
                                                                          << result.diagnostics.text();
   }
+}
+
+TEST(ReadStudy, ASentenceStandsOnceForAllValues) {
+  const StudyFolder folder;
+  const std::string text = folder.read("[vary]\ntarget.radios = [\n 4,\n 5,\n 6]\n").diagnostics.text();
+  EXPECT_EQ(text.find("target.radios"), text.rfind("target.radios")) << text;
+}
+
+TEST(ReadStudy, ABaseIsARelativePath) {
+  const StudyFolder folder;
+  folder.write("study.toml", "\nbase = \"/etc/case1.toml\"\n");
+  EXPECT_NE(read_study_file(folder.file("study.toml"))
+                .diagnostics.text()
+                .find("study.toml:2: base: \"/etc/case1.toml\" is an absolute path; a base is named relative to the "
+                      "study's file"),
+            std::string::npos);
 }
 
 TEST(ReadStudy, NeedsABase) {

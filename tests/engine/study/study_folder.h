@@ -38,7 +38,8 @@ class StudyFolder {
 
   // The study of this text, which starts from case 1.
   StudyResult read(const std::string& study) const {
-    write("study.toml", "base = \"" NETPOCKET_SOURCE_DIR "/scenarios/case1.toml\"\n" + study);
+    const auto base = std::filesystem::relative(NETPOCKET_SOURCE_DIR "/scenarios/case1.toml", path_);
+    write("study.toml", "base = \"" + base.string() + "\"\n" + study);
     return read_study_file(file("study.toml"));
   }
 

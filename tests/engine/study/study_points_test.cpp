@@ -29,6 +29,11 @@ TEST(StudyPoints, AGridHasEveryCombination) {
   EXPECT_EQ(values_of(study, 1), (std::vector<std::string>{"0.2", "0.4", "0.2", "0.4", "0.2", "0.4"}));
 }
 
+TEST(StudyPoints, AWholeNumberIsTakenOnce) {
+  const Study study = with_axes({{.key = "pocket.mesh_rows", .from = 6, .to = 7, .steps = 3, .whole = true}});
+  EXPECT_EQ(values_of(study, 0), (std::vector<std::string>{"6", "7"}));
+}
+
 TEST(StudyPoints, AStudyWithoutAxesHasItsPlaces) {
   Study study = with_axes({});
   EXPECT_EQ(study_points(study).size(), 1u);
