@@ -30,6 +30,8 @@ constexpr std::int64_t kFaultInterval = 256;
 constexpr std::int64_t kCopyInterval = 16 * kFaultInterval;
 // Longest time (s) for which the step stays what the cables' shape allowed at its start.
 constexpr double kLongestInterval = 0.01;
+// Ropes wound faster tear at the cords: ten times what a closing within 5 s needs.
+constexpr double kFastWinding = 30;  // m/s
 // Part of the first stable step below which no motion that means anything brings it.
 constexpr double kCollapse = 1e-3;
 constexpr double kMostStepsOfInterval = 1e9;
@@ -40,10 +42,11 @@ std::string step_text(double seconds) {
   return seconds < 1e-3 ? fmt::format("{:.3g} µs", 1e6 * seconds) : fmt::format("{:.3g} ms", 1e3 * seconds);
 }
 
-double cpu_seconds() {
+// Of the threads that step a system: other runs of the process have theirs.
+double cpu_seconds(const CableSystem& system) {
   timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec) + system.helpers_cpu_seconds();
 }
 
 double wall_seconds() {
@@ -300,13 +303,35 @@ struct Simulation::Impl {
     return result;
   }
 
+  // m/s, of the closing ropes up to now.
+  double fastest_winding() const {
+    const ClosingSchedule schedule(scenario.closing, system.model().ropes.front().motion(0).length);
+    const double start = schedule.start(), end = std::min(schedule.end(), system.time());
+    constexpr int kLooks = 1000;
+    double fastest = 0;
+    for (int i = 0; i <= kLooks && end > start; ++i) {
+      fastest = std::max(fastest, std::abs(winding(start + (end - start) * i / kLooks).rate));
+    }
+    return fastest;
+  }
+
+  // What is likely to help against a divergence.
+  std::string advice() const {
+    const double speed = fastest_winding();
+    if (speed > kFastWinding) {
+      return fmt::format(
+          "the likely cause is the closing, which winds ropes at up to {:.3g} m/s: close more slowly "
+          "(closing.duration is {:g} s)",
+          speed, scenario.closing.duration);
+    }
+    if (scenario.solver.time_step > 0) return fmt::format("try a solver.time_step below {:.3g} s", failed_step_size);
+    return fmt::format("try solver.safety below {}", scenario.solver.safety);
+  }
+
   RunStatus diverged(const std::string& fault) const {
-    const std::string advice = scenario.solver.time_step > 0
-                                   ? fmt::format("try a solver.time_step below {:.3g} s", failed_step_size)
-                                   : fmt::format("try solver.safety below {}", scenario.solver.safety);
     return {RunReason::diverged, system.time(),
             fmt::format("{} in step {} of {}, at t = {:.4f} s; {}", fault, failed_step, step_text(failed_step_size),
-                        system.time(), advice)};
+                        system.time(), advice())};
   }
 };
 
@@ -321,7 +346,7 @@ const Structure& Simulation::structure() const { return impl_->pocket.structure;
 double Simulation::time() const { return impl_->system.time(); }
 
 RunStatus Simulation::advance(double until, const std::stop_token& stop) {
-  const double wall = wall_seconds(), cpu = cpu_seconds();
+  const double wall = wall_seconds(), cpu = cpu_seconds(impl_->system);
   RunStatus status{RunReason::finished, 0, "reached the requested time"};
   std::optional<RunStatus> failure;
   if (impl_->sound_state.empty()) impl_->keep_sound_state();
@@ -340,7 +365,7 @@ RunStatus Simulation::advance(double until, const std::stop_token& stop) {
   if (failure) status = *failure;
   status.time = time();
   impl_->wall += wall_seconds() - wall;
-  impl_->cpu += cpu_seconds() - cpu;
+  impl_->cpu += cpu_seconds(impl_->system) - cpu;
   return status;
 }
 

@@ -75,6 +75,8 @@ Json summary_json(const Recording& recording) {
           {"peak_force", peak},
           {"impulse", vector_json(summary.impulse)},
           {"energy_error", summary.energy_error},
+          {"energy_error_joules", summary.energy_error_joules},
+          {"energy_put_in", summary.energy_put_in},
           {"averaging_window", summary.averaging_window}};
 }
 
@@ -100,7 +102,7 @@ std::string summary_text(const Recording& recording) {
   row("peak force", s.peak_force,
       fmt::format("N, y at t = {:.4g} s, means over {:.3g} s", s.peak_time_y, s.averaging_window));
   row("impulse", s.impulse, "N s");
-  text += line("energy error", fmt::format("{:.3g} % of the energy put in", 100 * s.energy_error));
+  text += line("energy error", energy_error_text(s.energy_error_joules, s.energy_put_in));
   return text;
 }
 

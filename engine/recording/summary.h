@@ -19,10 +19,18 @@ struct RunSummary {
   double peak_time_y = 0;                    // s, when |F_y| peaks
   Eigen::Vector3d impulse{0, 0, 0};          // N s, integral of the contact force on the target
   double energy_error = 0;                   // largest |energy_error| / energy put in
+  double energy_error_joules = 0;            // J, largest |energy_error|
+  double energy_put_in = 0;                  // J, with the kinetic energy at the start
   double averaging_window = 0;               // s, over which the recorded forces are means
 };
 
 RunSummary summarize(const Recording& recording);
+
+// With less put in (J), as in the first moments of a run, an error of round-off's size would be many per cent.
+inline constexpr double kLeastComparableEnergy = 1;
+
+// "0.012 J, 0.34 % of the energy put in", or that this is too little to compare with.
+std::string energy_error_text(double joules, double put_in);
 
 // A number behind a verdict: what an ensemble of runs tells the spread of.
 struct Measure {

@@ -138,6 +138,9 @@ std::variant<std::string, Diagnostic> load(const std::string& path) {
   std::string text(kLargestScenarioFile + 1, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (file.bad()) return problem("cannot be read: input error");
+  if (text.starts_with("\x89HDF\r\n")) {
+    return problem("is a recording, not a scenario: see netpocket info, render, plot, report, or run --resume");
+  }
   if (file.gcount() > static_cast<std::streamsize>(kLargestScenarioFile)) {
     return problem(fmt::format("is larger than {} bytes, the limit for a scenario", kLargestScenarioFile));
   }

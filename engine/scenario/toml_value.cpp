@@ -2,10 +2,26 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "engine/scenario/parameter_text.h"
 
 namespace netpocket {
 namespace {
+
+// A list of exactly Size numbers.
+template <int Size>
+std::optional<Eigen::Vector<double, Size>> numbers(const toml::node& node) {
+  const toml::array* list = node.as_array();
+  if (!list || list->size() != Size) return std::nullopt;
+  Eigen::Vector<double, Size> result;
+  for (int i = 0; i < Size; ++i) {
+    const toml::node& element = *list->get(i);
+    if (!element.is_number()) return std::nullopt;
+    result[i] = *element.value<double>();
+  }
+  return result;
+}
 
 // What stands in the file, for "expects ..., not ...".
 std::string found_text(const toml::node& node) {
@@ -27,18 +43,29 @@ std::string found_text(const toml::node& node) {
   }
 }
 
-// A list of exactly Size numbers.
-template <int Size>
-std::optional<Eigen::Vector<double, Size>> numbers(const toml::node& node) {
-  const toml::array* list = node.as_array();
-  if (!list || list->size() != Size) return std::nullopt;
-  Eigen::Vector<double, Size> result;
-  for (int i = 0; i < Size; ++i) {
-    const toml::node& element = *list->get(i);
-    if (!element.is_number()) return std::nullopt;
-    result[i] = *element.value<double>();
+// The first element that is no number, in "one with ... in it"; nothing when all are.
+std::optional<std::string> stranger(const toml::array& list) {
+  for (const toml::node& element : list) {
+    if (!element.is_number()) return fmt::format("one with {} in it", found_text(element));
   }
-  return result;
+  return std::nullopt;
+}
+
+// As found_text; of a list that has the right size, what in it does not belong there.
+std::string found_instead(const Parameter& parameter, const toml::node& node) {
+  const toml::array* list = node.as_array();
+  if (list && parameter.type == ParameterType::vector && list->size() == 3) {
+    return stranger(*list).value_or(found_text(node));
+  }
+  if (list && parameter.type == ParameterType::pairs) {
+    for (const toml::node& element : *list) {
+      const toml::array* pair = element.as_array();
+      if (!pair) break;
+      if (pair->size() != 2) return fmt::format("one with {} in it", found_text(element));
+      if (const auto found = stranger(*pair)) return *found;
+    }
+  }
+  return found_text(node);
 }
 
 std::optional<std::vector<Eigen::Vector2d>> pairs(const toml::node& node) {
@@ -66,13 +93,23 @@ std::optional<ParameterValue> widen(std::optional<T> value) {
   return ParameterValue(std::move(*value));
 }
 
+// 8.0 is whole, too.
+std::optional<std::int64_t> whole_number(const toml::node& node) {
+  const auto number = node.value_exact<double>();
+  constexpr double kLargest = 9007199254740992.0;  // up to which a double holds every whole number
+  if (number && std::abs(*number) <= kLargest && *number == std::trunc(*number)) {
+    return static_cast<std::int64_t>(*number);
+  }
+  return node.value_exact<std::int64_t>();
+}
+
 // The value, if the node has the parameter's type. Whole numbers are numbers too.
 std::optional<ParameterValue> typed_value(const Parameter& parameter, const toml::node& node) {
   switch (parameter.type) {
     case ParameterType::number:
       return node.is_number() ? widen(node.value<double>()) : std::nullopt;
     case ParameterType::integer:
-      return widen(node.value_exact<std::int64_t>());
+      return widen(whole_number(node));
     case ParameterType::boolean:
       return widen(node.value_exact<bool>());
     case ParameterType::text:
@@ -106,8 +143,8 @@ std::string excerpt(std::string_view text) {
 std::variant<ParameterValue, ValueProblem> parameter_value(const Parameter& parameter, const toml::node& node) {
   std::optional<ParameterValue> value = typed_value(parameter, node);
   if (!value) {
-    return ValueProblem{
-        fmt::format("expects {}, not {}{}", expected_text(parameter), found_text(node), suggestion(parameter, node))};
+    return ValueProblem{fmt::format("expects {}, not {}{}", expected_text(parameter), found_instead(parameter, node),
+                                    suggestion(parameter, node))};
   }
   if (auto problem = limit_problem(parameter, *value)) return ValueProblem{std::move(*problem)};
   return std::move(*value);

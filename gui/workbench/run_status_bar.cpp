@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/recording/summary.h"
 #include "gui/workbench/panels/tones.h"
 
 namespace netpocket {
@@ -35,12 +36,12 @@ QString step_text(const RunStatistics& statistics, double step) {
   return RunStatusBar::tr("step %1 µs: %2").arg(1e6 * step, 0, 'f', 1).arg(limit);
 }
 
-// The error against the energy put in so far.
+// The error against the energy put in so far, if that is enough to compare with.
 QString energy_text(const RunSeries& series, std::size_t frame) {
   const double input = std::max(std::abs(series.channel(Channel::energy_input)[frame]),
                                 std::abs(series.channel(Channel::energy_kinetic)[frame]));
   const double error = series.channel(Channel::energy_error)[frame];
-  if (!(input > 1e-9)) return RunStatusBar::tr("energy error %1 J").arg(error, 0, 'g', 2);
+  if (!(input > kLeastComparableEnergy)) return RunStatusBar::tr("energy error %1 J").arg(error, 0, 'g', 2);
   const double percent = 100 * std::abs(error) / input;
   const QString number = percent < 10 ? QString::number(percent, 'g', 2) : QString::number(percent, 'f', 0);
   return RunStatusBar::tr("energy error %1 %").arg(number);

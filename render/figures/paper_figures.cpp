@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "engine/recording/summary.h"
 #include "render/figures/axis_ticks.h"
 #include "render/figures/rich_text.h"
 
@@ -303,7 +304,7 @@ std::string row_title(const std::string& name, std::string text) {
 
 std::string error_title(const RunSeries& run) {
   const double input = largest_size(run.channel(Channel::energy_input));
-  if (input <= 0) return "error";
+  if (input < kLeastComparableEnergy) return "error";  // nothing to compare with yet
   const double percent = 100 * largest_size(run.channel(Channel::energy_error)) / input;
   if (percent < 0.001) return "error, below 0.001 % of the input";
   const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(percent))), 0, 4);

@@ -77,7 +77,7 @@ const std::vector<KeyFigure>& key_figures() {
        }},
       {"Impulse on the target x, y, z (N\u2009s)", [](const auto&, const auto& s) { return vector_text(s.impulse); }},
       {"Energy error",
-       [](const auto&, const auto& s) { return fmt::format("{:.3g} % of the energy put in", 100 * s.energy_error); }},
+       [](const auto&, const auto& s) { return energy_error_text(s.energy_error_joules, s.energy_put_in); }},
       {"Model",
        [](const auto& r, const auto&) {
          const auto& n = r.statistics();

@@ -60,6 +60,13 @@ TEST(ReadScenario, UnknownKeysGetTheNearestName) {
 TEST(ReadScenario, WrongTypesNameWhatIsExpected) {
   EXPECT_EQ(problems("[net]\ndiameter = \"4 mm\""),
             "a.toml:2: net.diameter: expects a number in m, not the text \"4 mm\"");
+  EXPECT_EQ(problems("pocket.rod_count = 8.0"), "");
+  EXPECT_EQ(
+      problems("target.spin = [1, \"2\", 3]"),
+      "a.toml:1: target.spin: expects a list of three numbers [x, y, z] in rad/s, not one with the text \"2\" in it");
+  EXPECT_EQ(
+      problems("rods.profile = [[1, 2], [3, true]]"),
+      "a.toml:1: rods.profile: expects a list of pairs of numbers [[a, b], ...] in m, m, not one with true in it");
   EXPECT_EQ(problems("pocket.rod_count = 8.5"), "a.toml:1: pocket.rod_count: expects a whole number, not 8.5");
   EXPECT_EQ(problems("contact.spacecraft = 1"), "a.toml:1: contact.spacecraft: expects true or false, not 1");
   EXPECT_EQ(problems("target.spin = [1, 2]"),
@@ -72,7 +79,8 @@ TEST(ReadScenario, WrongTypesNameWhatIsExpected) {
   EXPECT_EQ(problems("net = 3"), "a.toml:1: net: is a table: write [net] and its keys on the lines below");
   EXPECT_EQ(problems("[[net]]"), "a.toml:1: net: is a table: write [net] and its keys on the lines below");
   EXPECT_EQ(problems("rods.profile = [[1, 2], [3]]"),
-            "a.toml:1: rods.profile: expects a list of pairs of numbers [[a, b], ...] in m, m, not a list of 2");
+            "a.toml:1: rods.profile: expects a list of pairs of numbers [[a, b], ...] in m, m, not one with a list of 1 "
+            "in it");
   EXPECT_EQ(problems("name = 2024-01-01"), "a.toml:1: name: expects text in quotes, not a date or time");
 }
 

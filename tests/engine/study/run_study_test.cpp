@@ -241,7 +241,7 @@ TEST(RunStudy, APointDependsOnItsMesh) {
 TEST(StudyTable, ARowIsALine) {
   const StudyFolder folder;
   Study study = coarse_study(folder);
-  const StudyPoint point{"a \"place\"\nof two lines", {{"target.radius", "4"}}};
+  const StudyPoint point{"a \"place\"\nof two lines", {{"target.radius", "4"}}, 0};
   const std::string csv = study_csv(study, {refused_record(0, point, "x", "one, two\r\nthree")});
   EXPECT_EQ(lines(csv), 2u);
   EXPECT_NE(csv.find("\n1,\"a \"\"place\"\"\\nof two lines\",0,4,,\"one, two\\r\\nthree\","), std::string::npos) << csv;
