@@ -25,7 +25,8 @@ std::string content(const std::string& path) {
 // A coarse pocket; `rest` adds to it.
 std::string write_study(const TestFolder& folder, double end_time, const std::string& rest) {
   std::ostringstream text;
-  text << "base = \"" << scenario_file("case1.toml") << "\"\n[set]\npocket.elements_per_side = 1\n"
+  const auto base = std::filesystem::relative(scenario_file("case1.toml"), folder.file(""));
+  text << "base = " << base << "\n[set]\npocket.elements_per_side = 1\n"
        << "pocket.mesh_rows = 2\npocket.mesh_columns = 2\noutput.end_time = " << end_time << "\n"
        << rest;
   return folder.write("study.toml", text.str());
