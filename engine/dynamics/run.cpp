@@ -97,7 +97,7 @@ class RecordedRun {
 void finish(BackgroundRecorder& recorder, RunResult& result) {
   try {
     recorder.finish(result.status, result.statistics);
-  } catch (const RecordingError& error) {
+  } catch (const FileError& error) {
     if (result.status.reason == RunReason::storage_failed) return;
     result.status.reason = RunReason::storage_failed;
     result.status.message += (result.status.message.empty() ? "" : "; ") + std::string(error.what());
@@ -111,7 +111,7 @@ RunResult record(Simulation& simulation, BackgroundRecorder& recorder, bool from
     RecordedRun run(simulation, recorder, after_frame);
     if (from_start) run.record_start();
     result.status = run.record_frames(stop);
-  } catch (const RecordingError& error) {
+  } catch (const FileError& error) {
     result.status = {RunReason::storage_failed, simulation.time(), error.what()};
   }
   result.statistics = simulation.statistics();

@@ -41,8 +41,8 @@ using RunCallback = std::function<void(const RunProgress&)>;
 
 // Simulates until output.end_time, until stopped, diverged or until the recording cannot be written any more, and
 // records the state at t = 0, every 1/output.frame_rate after it and at the end. However it ends, what was recorded is
-// kept and holds the reason. The scenario must pass check_scenario. Throws RecordingError when no recording can be
-// begun: then `path` is as it was.
+// kept and holds the reason. The scenario must pass check_scenario. Throws FileError when no recording can be begun:
+// then `path` is as it was.
 RunResult run_to_recording(const Scenario& scenario, const std::string& path, const RunOptions& options,
                            const RunCallback& after_frame = {}, const std::stop_token& stop = {});
 

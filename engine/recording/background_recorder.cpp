@@ -15,6 +15,27 @@ namespace {
 // makes frames 1 % of its time.
 constexpr std::chrono::milliseconds kRest{20};
 constexpr std::size_t kManyEntries = kBackgroundFrames / 2;
+constexpr std::size_t kManyBytes = kBackgroundBytes / 2;
+
+using Entry = std::variant<Snapshot, Checkpoint>;
+
+template <typename T>
+std::size_t bytes_of(const std::vector<T>& values) {
+  return values.size() * sizeof(T);
+}
+
+std::size_t bytes_of(const Snapshot& s) {
+  const auto numbers =
+      s.positions.size() + s.velocities.size() + s.gradients.size() + s.tension.size() + s.strain.size();
+  return sizeof(Snapshot) + static_cast<std::size_t>(numbers) * sizeof(double) + bytes_of(s.rope_element_length) +
+         bytes_of(s.bodies) + bytes_of(s.contacts);
+}
+
+std::size_t bytes_of(const Checkpoint& c) { return sizeof(Checkpoint) + bytes_of(c.state) + c.strategy.size(); }
+
+std::size_t bytes_of(const Entry& entry) {
+  return std::visit([](const auto& value) { return bytes_of(value); }, entry);
+}
 
 }  // namespace
 
@@ -24,14 +45,16 @@ struct BackgroundRecorder::Impl {
   ~Impl() { drain(); }
 
   void write_frames();
-  void write(std::variant<Snapshot, Checkpoint> entry);
+  void write(Entry entry);
+  bool has_many() const { return queue.size() >= kManyEntries || bytes >= kManyBytes; }
   void drain();
   void rethrow();
 
   Recorder recorder;  // the writer's until it is joined
   std::mutex mutex;   // guards what follows
   std::condition_variable changed;
-  std::deque<std::variant<Snapshot, Checkpoint>> queue;
+  std::deque<Entry> queue;
+  std::size_t bytes = 0;  // of what is in the queue
   bool closing = false;
   std::exception_ptr failure;  // of the first frame that could not be written; later ones are dropped
   std::thread writer;
@@ -40,12 +63,13 @@ struct BackgroundRecorder::Impl {
 void BackgroundRecorder::Impl::write_frames() {
   std::unique_lock lock(mutex);
   while (true) {
-    const auto is_needed = [this] { return closing || queue.size() >= kManyEntries; };
+    const auto is_needed = [this] { return closing || has_many(); };
     if (queue.empty()) changed.wait_for(lock, kRest, is_needed);
     if (queue.empty() && closing) return;
     if (queue.empty()) continue;
-    const std::variant<Snapshot, Checkpoint> entry = std::move(queue.front());
+    const Entry entry = std::move(queue.front());
     queue.pop_front();
+    bytes -= bytes_of(entry);
     const bool wanted = failure == nullptr;
     lock.unlock();
     changed.notify_one();
@@ -64,13 +88,16 @@ void BackgroundRecorder::Impl::write_frames() {
   }
 }
 
-void BackgroundRecorder::Impl::write(std::variant<Snapshot, Checkpoint> entry) {
+void BackgroundRecorder::Impl::write(Entry entry) {
+  const std::size_t size = bytes_of(entry);
   {
     std::unique_lock lock(mutex);
-    changed.wait(lock, [this] { return queue.size() < kBackgroundFrames; });
+    changed.wait(
+        lock, [&] { return queue.empty() || (queue.size() < kBackgroundFrames && bytes + size <= kBackgroundBytes); });
     rethrow();
     queue.push_back(std::move(entry));
-    if (queue.size() < kManyEntries) return;
+    bytes += size;
+    if (!has_many()) return;
   }
   changed.notify_one();
 }
@@ -113,7 +140,7 @@ void BackgroundRecorder::finish(const RunStatus& status, const RunStatistics& st
   // Where there is room the recording says why it lacks its last frames.
   try {
     impl_->recorder.finish({RunReason::storage_failed, status.time, "a frame could not be written"}, statistics);
-  } catch (const RecordingError&) {
+  } catch (const FileError&) {
     // What is thrown below says more.
   }
   impl_->rethrow();

@@ -1,9 +1,9 @@
 #pragma once
 // A Recorder on a thread of its own: compressing and writing a frame does not hold up what makes the next one.
-// Frames and checkpoints are written in the order in which they are given, some 20 ms later at most. As many as
-// kBackgroundFrames wait in a queue; then write() waits. What a Recorder says about crashes holds for the frames that
-// have left the queue. Thread contract: one thread at a time. Errors: throws RecordingError as a Recorder does, but a
-// frame's failure appears at a later call.
+// Frames and checkpoints are written in the order in which they are given, some 20 ms later at most. They wait in a
+// queue, as many as kBackgroundFrames and kBackgroundBytes allow (one always); then write() waits. What a Recorder says
+// about crashes holds for the frames that have left the queue. Thread contract: one thread at a time. Errors: throws as
+// a Recorder does, but a frame's failure appears at a later call.
 
 #include <memory>
 #include <string>
@@ -13,6 +13,7 @@
 namespace netpocket {
 
 inline constexpr std::size_t kBackgroundFrames = 32;
+inline constexpr std::size_t kBackgroundBytes = std::size_t{64} << 20;
 
 class BackgroundRecorder {
  public:

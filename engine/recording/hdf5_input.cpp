@@ -7,6 +7,8 @@
 #include <cstring>
 #include <limits>
 
+#include "engine/files/destination.h"
+
 namespace netpocket {
 
 namespace {
@@ -18,6 +20,7 @@ constexpr std::size_t kLongestAttribute = 1 << 16;
 
 double size_of_file(const std::string& path) {
   struct stat status = {};
+  require_readable(path);
   if (stat(path.c_str(), &status) != 0) throw Hdf5Error(std::strerror(errno));
   if (!S_ISREG(status.st_mode)) throw Hdf5Error("it is not a file");
   return static_cast<double>(status.st_size);

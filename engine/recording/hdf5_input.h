@@ -15,7 +15,8 @@ inline constexpr double kLargestCompression = 1032;
 
 class InputFile {
  public:
-  // Opens a finished file, one that is being written, or one whose writer was killed.
+  // Opens a finished file, one that is being written, or one whose writer was killed. Throws FileError when it may not
+  // be read.
   explicit InputFile(const std::string& path);
 
   hid_t id() const { return file_.get(); }

@@ -1,10 +1,15 @@
 #include "engine/recording/hdf5_support.h"
 
 #include <string_view>
+#include <tuple>
 
 namespace netpocket {
 
 namespace {
+
+// HDF5 would close at exit what is still open: files that were damaged under its hands, where it crashes, and files
+// that must not be written any more. All others are closed before.
+const herr_t kNoWorkAtExit = H5dont_atexit();
 
 herr_t find_system_reason(unsigned, const H5E_error2_t* error, void* out) {
   constexpr std::string_view kMark = "error message = '";
@@ -18,7 +23,10 @@ herr_t find_system_reason(unsigned, const H5E_error2_t* error, void* out) {
 
 }  // namespace
 
-void silence_hdf5() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+void silence_hdf5() {
+  std::ignore = kNoWorkAtExit;
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
 
 std::string hdf5_system_reason() {
   std::string reason;

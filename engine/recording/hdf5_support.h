@@ -48,6 +48,8 @@ class Handle {
   hid_t get() const { return id_; }
   // Closes now; false when HDF5 could not.
   bool reset() { return id_ < 0 || close_(std::exchange(id_, H5I_INVALID_HID)) >= 0; }
+  // Leaves it open until the program ends.
+  void abandon() { id_ = H5I_INVALID_HID; }
 
  private:
   hid_t id_ = H5I_INVALID_HID;

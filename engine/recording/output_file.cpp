@@ -1,7 +1,6 @@
 #include "engine/recording/output_file.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -9,12 +8,10 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
-#include <filesystem>
 #include <tuple>
 #include <utility>
 
-#include "engine/recording/recorder.h"
+#include "engine/files/folder.h"
 
 namespace netpocket {
 
@@ -23,10 +20,6 @@ namespace {
 // More than HDF5 writes between two checks of the room and when it closes the file.
 constexpr std::uint64_t kMargin = 8u << 20;
 constexpr std::uint64_t kStep = 32u << 20;
-
-[[noreturn]] void fail(const std::string& path, const std::string& reason) {
-  throw RecordingError(fmt::format("cannot write \"{}\": {}", path, reason));
-}
 
 // False when another open file description holds the lock. File systems without locks count as unlocked.
 bool lock(int descriptor) { return flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK; }
@@ -41,15 +34,41 @@ bool is_being_written(const std::string& path) {
 
 }  // namespace
 
-OutputFile::OutputFile(const std::string& path, bool overwrite)
-    : path_(path), part_path_(path + ".part"), overwrite_(overwrite) {
-  check_target();
-  descriptor_ = open(part_path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (descriptor_ < 0) fail(path_, std::strerror(errno));
-  if (!lock(descriptor_)) {
-    ::close(descriptor_);
-    fail(path_, "another program is writing it");
+OutputFile::OutputFile(const std::string& path, bool overwrite) : name_(path), overwrite_(overwrite) {
+  path_ = checked_target().path;
+  part_path_ = path_ + ".part";
+  open_and_lock();
+  try {
+    // Once more: another program may have put its recording in place before it gave up the lock.
+    keep_permissions(descriptor_, checked_target());
+  } catch (...) {
+    close();
+    throw;
   }
+}
+
+// Whoever had the lock may have renamed or removed the file in the meantime: then the lock is on a file that nobody
+// finds any more, and the next program would lock another one.
+void OutputFile::open_and_lock() {
+  struct stat left = {};
+  if (stat(part_path_.c_str(), &left) == 0) {  // by a program that was killed, or it is somebody else's
+    find_destination(part_path_, FileKind::recording, ReadOnlyFiles::replaced);
+  }
+  while (true) {
+    descriptor_ = open(part_path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
+    if (descriptor_ < 0) throw write_error(name_, errno);
+    if (!lock(descriptor_)) {
+      ::close(std::exchange(descriptor_, -1));
+      throw write_error(name_, "another program is writing it");
+    }
+    if (has_name(part_path_)) return;
+    ::close(std::exchange(descriptor_, -1));
+  }
+}
+
+bool OutputFile::has_name(const std::string& path) const {
+  struct stat named = {}, ours = {};
+  return lstat(path.c_str(), &named) == 0 && fstat(descriptor_, &ours) == 0 && is_same_file(named, ours);
 }
 
 void OutputFile::close() {
@@ -58,19 +77,21 @@ void OutputFile::close() {
     struct stat status = {};
     // Where this fails the room stays reserved; the recording itself is complete.
     std::ignore = fstat(descriptor_, &status) == 0 && ftruncate(descriptor_, status.st_size) == 0;
-  } else {
+  } else if (has_name(part_path_)) {
     unlink(part_path_.c_str());
   }
   ::close(std::exchange(descriptor_, -1));
 }
 
-void OutputFile::check_target() const {
-  std::error_code ignored;
-  const auto status = std::filesystem::status(path_, ignored);
-  if (!std::filesystem::exists(status)) return;
-  if (std::filesystem::is_directory(status)) fail(path_, "it is a folder");
-  if (!overwrite_) fail(path_, "it exists already");
-  if (is_being_written(path_)) fail(path_, "another program is writing it");
+Destination OutputFile::checked_target() const {
+  struct stat there = {};
+  if (!overwrite_ && stat(name_.c_str(), &there) == 0 && S_ISREG(there.st_mode)) {
+    throw write_error(name_, "it exists already");
+  }
+  Destination target =
+      find_destination(name_, FileKind::recording, overwrite_ ? ReadOnlyFiles::replaced : ReadOnlyFiles::refused);
+  if (target.existing && is_being_written(target.path)) throw write_error(name_, "another program is writing it");
+  return target;
 }
 
 void OutputFile::ensure_room(std::uint64_t used) {
@@ -81,41 +102,52 @@ void OutputFile::ensure_room(std::uint64_t used) {
 void OutputFile::reserve(std::uint64_t size) {
   struct rlimit limit = {};
   if (getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY && size > limit.rlim_cur) {
-    fail(path_, "the file would exceed the size limit of this process");
+    throw write_error(name_, "the file would exceed the size limit of this process");
   }
   if (fallocate(descriptor_, FALLOC_FL_KEEP_SIZE, 0, static_cast<off_t>(size)) == 0) {
     reserved_ = size;
     return;
   }
-  if (errno == ENOSPC || errno == EDQUOT || errno == EFBIG) fail(path_, "the disk is full");
+  if (errno == ENOSPC || errno == EDQUOT || errno == EFBIG) throw write_error(name_, "the disk is full");
   // This file system cannot reserve: look at what is free instead, every time.
   struct statvfs disk = {};
   if (fstatvfs(descriptor_, &disk) == 0 && std::uint64_t{disk.f_bavail} * disk.f_frsize < kMargin) {
-    fail(path_, "the disk is full");
+    throw write_error(name_, "the disk is full");
   }
 }
 
 void OutputFile::sync() {
   // File systems that cannot (some in memory, some over networks) say EINVAL or EROFS.
-  if (fdatasync(descriptor_) != 0 && errno != EINVAL && errno != EROFS) fail(path_, std::strerror(errno));
+  if (fdatasync(descriptor_) != 0 && errno != EINVAL && errno != EROFS) throw write_error(name_, errno);
+  struct stat status = {};
+  if (fstat(descriptor_, &status) == 0) seen_size_ = status.st_size;
+}
+
+void OutputFile::require_name() const {
+  if (!has_name()) fail_nameless();
+}
+
+void OutputFile::fail_nameless() const {
+  throw write_error(name_, "it was deleted, moved or replaced while it was being written");
+}
+
+void OutputFile::require_whole() {
+  struct stat status = {};
+  if (fstat(descriptor_, &status) == 0 && status.st_size >= seen_size_) {
+    seen_size_ = status.st_size;
+    return;
+  }
+  throw write_error(name_, "another program has cut it short while it was being written");
 }
 
 void OutputFile::publish() {
   if (published_) return;
-  check_target();
-  if (rename(part_path_.c_str(), path_.c_str()) != 0) fail(path_, std::strerror(errno));
+  require_name();
+  const Destination target = checked_target();
+  if (rename(part_path_.c_str(), target.path.c_str()) != 0) throw write_error(name_, errno);
+  path_ = target.path;
   published_ = true;
-  sync_folder();
-}
-
-// The new name is on the disk when the folder is. Where folders cannot be opened or synchronised, the name follows when
-// the system sees fit.
-void OutputFile::sync_folder() const {
-  const std::string folder = std::filesystem::path(path_).parent_path().string();
-  const int descriptor = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) return;
-  std::ignore = fsync(descriptor);
-  ::close(descriptor);
+  if (!sync_folder(target.folder)) throw write_error(name_, errno);
 }
 
 }  // namespace netpocket

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "engine/recording/checkpoint_io.h"
 #include "engine/recording/frame_tables.h"
@@ -22,6 +23,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 // With the time that a flush takes (it waits for the disk four times), less than a second.
 constexpr std::chrono::milliseconds kFlushInterval(500);
+constexpr const char* kFinished = "the recording is finished";
 
 Handle create_file(const std::string& path) {
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "describe file access");
@@ -62,10 +64,14 @@ struct Recorder::Impl {
   void check_numbers(const Snapshot& snapshot) const;
   void write(const Snapshot& snapshot);
   void write(const Checkpoint& checkpoint);
+  void store();
   void flush();
   void make_safe();
+  bool close_file();
+  void finish(const RunStatus& status, const RunStatistics& statistics);
   void close();
   void ensure_room();
+  void require_open() const;
   // Runs an action on the file; its failure ends the recording.
   template <typename Action>
   void guarded(const Action& action);
@@ -85,24 +91,28 @@ struct Recorder::Impl {
   std::string refusal;             // why nothing more can be written, if so
 };
 
+void Recorder::Impl::require_open() const {
+  if (!refusal.empty()) throw write_error(output.path(), refusal);
+}
+
+// Whatever fails: the system reports a page that it could not write once and then forgets it.
 template <typename Action>
 void Recorder::Impl::guarded(const Action& action) {
   silence_hdf5();
-  if (!refusal.empty()) throw RecordingError(fmt::format("cannot write \"{}\": {}", output.path(), refusal));
+  require_open();
+  const std::string before = std::exchange(refusal, "an earlier write failed");
   try {
     action();
   } catch (const Hdf5Error& error) {
-    refusal = "an earlier write failed";
-    throw RecordingError(fmt::format("cannot write \"{}\": failed to {}", output.path(), error.what()));
+    throw write_error(output.path(), fmt::format("failed to {}", error.what()));
   }
+  refusal = before;
 }
 
 void Recorder::Impl::create(const RunOrigin& origin, const Structure& model) {
-  const std::string fault = find_fault(model);
-  if (!fault.empty()) throw RecordingError(fmt::format("cannot record \"{}\": {}", output.path(), fault));
   structure = model;
   file = create_file(output.working_path());
-  ensure_room();
+  output.ensure_room(0);
   write_origin(file.get(), origin, codec);
   write_structure(file.get(), structure, codec);
   frames.emplace(file.get(), structure, codec);
@@ -115,7 +125,7 @@ void Recorder::Impl::create(const RunOrigin& origin, const Structure& model) {
 
 void Recorder::Impl::ensure_room() {
   hsize_t size = 0;
-  checked(H5Fget_filesize(file.get(), &size), "find the file's size");
+  guarded([&] { checked(H5Fget_filesize(file.get(), &size), "find the file's size"); });
   output.ensure_room(size);
 }
 
@@ -162,36 +172,55 @@ void Recorder::Impl::check_numbers(const Snapshot& snapshot) const {
   }
 }
 
+// What is found wrong before the file is touched does not end the recording.
 void Recorder::Impl::write(const Snapshot& snapshot) {
+  require_open();
   check_sizes(snapshot);
   check_order(snapshot);
   check_numbers(snapshot);
   ensure_room();
-  frames->append(snapshot);
-  last_time = snapshot.time;
-  ++frame_count;
+  guarded([&] {
+    output.require_whole();  // before more is written: that would hide it
+    frames->append(snapshot);
+    last_time = snapshot.time;
+    ++frame_count;
+  });
   if (frame_count == 1 || Clock::now() - last_flush >= kFlushInterval) flush();
 }
 
 void Recorder::Impl::write(const Checkpoint& checkpoint) {
+  require_open();
   if (!std::isfinite(checkpoint.time) || checkpoint.time < last_checkpoint_time) {
     throw RecordingError(
         fmt::format("cannot write \"{}\": checkpoints are out of order at t = {} s", output.path(), checkpoint.time));
   }
-  checkpoints->append(checkpoint);
+  guarded([&] {
+    output.require_whole();
+    checkpoints->append(checkpoint);
+  });
   last_checkpoint_time = checkpoint.time;
 }
 
-void Recorder::Impl::flush() {
+// All frames and checkpoints so far are in the file and on the disk.
+void Recorder::Impl::store() {
+  require_open();
   if (frame_count == 0) return;
-  frames->store_frames();
-  checkpoints->store_states();
-  make_safe();
-  frames->store_channels();
-  checkpoints->store_times();
-  make_safe();
+  guarded([this] {
+    output.require_whole();
+    frames->store_frames();
+    checkpoints->store_states();
+    make_safe();
+    frames->store_channels();
+    checkpoints->store_times();
+    make_safe();
+  });
   if (frame_count >= published_from) output.publish();
   last_flush = Clock::now();
+}
+
+void Recorder::Impl::flush() {
+  store();
+  output.require_name();
 }
 
 // Chunks are on the disk before the indexes that lead to them: an index on the disk never leads to nothing.
@@ -201,23 +230,45 @@ void Recorder::Impl::make_safe() {
   output.sync();
 }
 
-void Recorder::Impl::close() {
-  silence_hdf5();
-  try {
-    if (refusal.empty() && frames) flush();
-  } catch (const std::exception&) {
-    // The frames of the last flush are safe; a destructor cannot say more.
-  }
+void Recorder::Impl::finish(const RunStatus& status, const RunStatistics& statistics) {
+  store();
+  guarded([&] {
+    outcome->write(file.get(), status, statistics);
+    if (!close_file()) throw Hdf5Error("close the file");
+    output.sync();
+  });
+  refusal = kFinished;
+  const bool found = output.has_name();
+  output.close();
+  if (!found) output.fail_nameless();
+}
+
+bool Recorder::Impl::close_file() {
   frames.reset();
   checkpoints.reset();
   outcome.reset();
-  file.reset();
+  return file.reset();
+}
+
+// Without finish().
+void Recorder::Impl::close() {
+  silence_hdf5();
+  try {
+    if (refusal.empty() && frames) store();
+  } catch (const std::exception&) {
+    // The frames of the last flush are safe; a destructor cannot say more.
+  }
+  // HDF5 writes when it closes a file. After a failed write that could lead to what never reached the disk: the file is
+  // left as if the program had been killed here.
+  if (!refusal.empty() && output.is_published()) file.abandon();
+  close_file();
   output.close();
-  refusal = "the recording is finished";
 }
 
 Recorder::Recorder(const std::string& path, const RunOrigin& origin, const Structure& structure, bool overwrite)
     : impl_(std::make_unique<Impl>(path, overwrite)) {
+  const std::string fault = find_fault(structure);
+  if (!fault.empty()) throw RecordingError(fmt::format("cannot record \"{}\": {}", path, fault));
   impl_->guarded([&] { impl_->create(origin, structure); });
 }
 
@@ -227,24 +278,12 @@ void Recorder::hold_back(std::size_t frame_count) { impl_->published_from = std:
 
 bool Recorder::is_published() const { return impl_->output.is_published(); }
 
-void Recorder::write(const Snapshot& snapshot) {
-  impl_->guarded([&] { impl_->write(snapshot); });
-}
+void Recorder::write(const Snapshot& snapshot) { impl_->write(snapshot); }
 
-void Recorder::write(const Checkpoint& checkpoint) {
-  impl_->guarded([&] { impl_->write(checkpoint); });
-}
+void Recorder::write(const Checkpoint& checkpoint) { impl_->write(checkpoint); }
 
-void Recorder::flush() {
-  impl_->guarded([&] { impl_->flush(); });
-}
+void Recorder::flush() { impl_->flush(); }
 
-void Recorder::finish(const RunStatus& status, const RunStatistics& statistics) {
-  impl_->guarded([&] {
-    impl_->flush();
-    impl_->outcome->write(impl_->file.get(), status, statistics);
-  });
-  impl_->close();
-}
+void Recorder::finish(const RunStatus& status, const RunStatistics& statistics) { impl_->finish(status, statistics); }
 
 }  // namespace netpocket

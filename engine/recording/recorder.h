@@ -1,12 +1,13 @@
 #pragma once
 // Writes a run to an HDF5 file, frame by frame. Layout: engine/recording/FORMAT.md.
-// Thread contract: one thread at a time. Errors: throws RecordingError with one sentence that names the file.
+// Thread contract: one thread at a time. Errors: FileError with one sentence that names the file; RecordingError for
+// what no recording can hold.
 
 #include <limits>
 #include <memory>
-#include <stdexcept>
 #include <string>
 
+#include "engine/files/file_error.h"
 #include "engine/recording/checkpoint.h"
 #include "engine/recording/run_status.h"
 #include "engine/recording/snapshot.h"
@@ -14,9 +15,10 @@
 
 namespace netpocket {
 
-class RecordingError : public std::runtime_error {
+// What is, or would become, no valid recording.
+class RecordingError : public FileError {
  public:
-  using std::runtime_error::runtime_error;
+  using FileError::FileError;
 };
 
 // What a recording says about where it comes from.
@@ -56,8 +58,10 @@ class Recorder {
   // Makes all frames survive now; for callers that pause.
   void flush();
   bool is_published() const;  // under the name asked for
-  // Stores how the run ended and closes the file. A recording without it is one whose program was killed. After a
-  // failed write (disk full) the frames before remain, and finish() still stores the reason where there is room.
+  // Stores how the run ended and closes the file. A recording without it is one whose program was killed. Where the
+  // disk is full the frames before remain, and finish() still stores the reason. After a write that failed on the way
+  // to the disk nothing more is written: what the system has stored of it is not known. When the file has lost its
+  // name, all is written and FileError thrown.
   void finish(const RunStatus& status, const RunStatistics& statistics);
 
  private:

@@ -3,7 +3,7 @@
 // data are read frame by frame, so only the channels' memory grows with the length of the run.
 // Quantities are as precise as they are stored (FORMAT.md): node, element and contact data in single precision.
 // Thread contract: one thread at a time per object. Errors: throws RecordingError with one sentence that names the
-// file.
+// file; FileError where it cannot be opened although it is there.
 
 #include <memory>
 #include <string>

@@ -115,7 +115,7 @@ int record_on_a_full_disk(const std::string& path) {
   const Snapshot frame = synthetic_frame(structure, 0);
   try {
     for (int i = 0; i < 10000; ++i) recorder.write(frame);
-  } catch (const RecordingError& error) {
+  } catch (const FileError& error) {
     recorder.finish({RunReason::storage_failed, frame.time, error.what()}, {});
     return 0;
   }
@@ -159,7 +159,7 @@ int fill_a_disk(const std::string& folder) {
     try {
       for (; written < 10000; ++written) recorder.write(frame);
       return __LINE__;
-    } catch (const RecordingError& error) {
+    } catch (const FileError& error) {
       recorder.finish({RunReason::storage_failed, frame.time, error.what()}, {});
     }
   }

@@ -1,6 +1,7 @@
 #include "tests/engine/recording/disk_log.h"
 
 #include <dlfcn.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -16,6 +17,8 @@ namespace {
 constexpr std::size_t kPage = 4096;
 
 DiskLog* active = nullptr;
+std::mutex disk;
+std::function<void(int)> lock_action;
 
 template <typename Function>
 Function system_function(const char* name) {
@@ -85,6 +88,16 @@ std::string DiskLog::after_power_cut(std::size_t count, std::mt19937& random) co
   return file;
 }
 
+HeldDisk::HeldDisk() : lock_(disk) {}
+
+void before_next_lock(std::function<void(int)> action) { lock_action = std::move(action); }
+
+void act_before_lock(int file) {
+  if (const auto action = std::exchange(lock_action, nullptr)) action(file);
+}
+
+void wait_for_disk() { const std::lock_guard wait(disk); }
+
 }  // namespace netpocket::test
 
 // These take the place of the C library's, for HDF5 too.
@@ -108,8 +121,15 @@ int ftruncate(int file, off_t size) noexcept {
 
 int fdatasync(int file) {
   static const auto sync = netpocket::test::system_function<decltype(&fdatasync)>("fdatasync");
+  netpocket::test::wait_for_disk();
   const int result = sync(file);
   if (netpocket::test::active && result == 0) netpocket::test::active->note_sync(file);
   return result;
+}
+
+int flock(int file, int operation) noexcept {
+  static const auto lock = netpocket::test::system_function<decltype(&flock)>("flock");
+  netpocket::test::act_before_lock(file);
+  return lock(file, operation);
 }
 }

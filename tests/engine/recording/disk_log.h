@@ -1,9 +1,11 @@
 #pragma once
 // What a program gives a file, in the order in which it does, and what a loss of power may leave of it. The test
-// program's own pwrite, ftruncate and fdatasync stand before those of the system (disk_log.cpp).
+// program's own pwrite, ftruncate, fdatasync and flock stand before those of the system (disk_log.cpp).
 // Thread contract: one file at a time.
 
 #include <cstdint>
+#include <functional>
+#include <mutex>
 #include <random>
 #include <string>
 #include <vector>
@@ -40,5 +42,17 @@ class DiskLog {
   std::string path_;
   std::vector<Event> events_;
 };
+
+// While it lives, synchronising any file waits, as on a disk that is slow.
+class HeldDisk {
+ public:
+  HeldDisk();
+
+ private:
+  std::unique_lock<std::mutex> lock_;
+};
+
+// Called once, with the file's descriptor, before the next lock on a file is taken.
+void before_next_lock(std::function<void(int)> action);
 
 }  // namespace netpocket::test

@@ -4,10 +4,15 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <atomic>
+#include <chrono>
 #include <ctime>
 #include <functional>
 #include <limits>
+#include <thread>
 
+#include "engine/recording/background_recorder.h"
+#include "tests/engine/recording/disk_log.h"
 #include "tests/engine/recording/synthetic_run.h"
 
 namespace netpocket {
@@ -54,7 +59,7 @@ void expect_same(const Snapshot& found, const Snapshot& expected) {
 std::string message_of(const std::function<void()>& action) {
   try {
     action();
-  } catch (const RecordingError& error) {
+  } catch (const FileError& error) {
     return error.what();
   }
   return "";
@@ -223,6 +228,58 @@ TEST(Recorder, TwoCannotWriteOneFile) {
   EXPECT_EQ(message_of(second), "cannot write \"" + path + "\": another program is writing it");
   first.finish({}, {});
   EXPECT_EQ(message_of(second), "");
+}
+
+// Between opening and locking another program may finish with the file and remove it.
+TEST(Recorder, LocksTheFileThatHasTheName) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("run.h5");
+  const Structure structure = synthetic_structure(20);
+  test::before_next_lock([&](int) { std::filesystem::remove(path + ".part"); });
+  Recorder recorder(path, synthetic_origin(), structure, false);
+  EXPECT_EQ(message_of([&] { Recorder(path, synthetic_origin(), structure, false); }),
+            "cannot write \"" + path + "\": another program is writing it");
+  recorder.write(synthetic_frame(structure, 0));
+  EXPECT_EQ(Recording(path).frame_count(), 1u);
+}
+
+TEST(Recorder, LeavesTheWorkingFileOfSomebodyElse) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("run.h5");
+  write_bytes(path + ".part", "half of a download");
+  EXPECT_NE(message_of([&] { Recorder(path, synthetic_origin(), synthetic_structure(20), false); }), "");
+  EXPECT_EQ(read_bytes(path + ".part"), "half of a download");
+}
+
+// Frames of some 20 MB: three wait, not 32.
+TEST(BackgroundRecorder, HoldsSoManyBytesAndNotMore) {
+  const TemporaryFolder folder;
+  const Structure structure = synthetic_structure(150000);
+  const Snapshot frame = synthetic_frame(structure, 0);
+  const auto bytes = static_cast<std::size_t>(frame.positions.size() + frame.velocities.size() +
+                                              frame.gradients.size() + frame.tension.size() + frame.strain.size()) *
+                     sizeof(double);
+  const std::size_t most = kBackgroundBytes / bytes;
+  ASSERT_LT(most, kBackgroundFrames / 4);
+  BackgroundRecorder recorder(folder.file("run.h5"), synthetic_origin(), structure, false);
+  std::atomic<std::size_t> given = 0;
+  std::jthread maker;
+  {
+    const test::HeldDisk held;
+    maker = std::jthread([&] {
+      for (std::size_t i = 0; i < most + 4; ++i, ++given) recorder.write(Snapshot(frame));
+    });
+    std::size_t before = 0;
+    do {
+      before = given;
+      std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    } while (given != before);
+    EXPECT_GE(given, 1u);
+    EXPECT_LE(given, most + 1);  // one is being written
+  }
+  maker.join();
+  recorder.finish({RunReason::finished, 0, ""}, {});
+  EXPECT_EQ(Recording(folder.file("run.h5")).frame_count(), most + 4);
 }
 
 TEST(Recorder, WritesNothingAfterTheEnd) {
