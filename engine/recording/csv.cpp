@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "engine/files/whole_file.h"
 #include "engine/recording/recording.h"
-#include "engine/recording/text_file.h"
 
 namespace netpocket {
 
@@ -31,7 +31,7 @@ std::string row(const Recording& recording, std::size_t frame) {
 void write_channels_csv(const Recording& recording, const std::string& path) {
   std::string text = header();
   for (std::size_t i = 0; i < recording.frame_count(); ++i) text += row(recording, i);
-  write_text_file(path, text);
+  write_whole_file(path, FileKind::csv, text);
 }
 
 }  // namespace netpocket

@@ -10,7 +10,8 @@
 #include <thread>
 
 #include "engine/dynamics/run.h"
-#include "engine/recording/text_file.h"
+#include "engine/files/folder.h"
+#include "engine/files/whole_file.h"
 #include "engine/study/study_folder.h"
 
 namespace netpocket {
@@ -24,12 +25,6 @@ struct Work {
   std::vector<std::string> files;  // of its recordings
   std::size_t runs_left;
 };
-
-void make_folder(const std::string& path) {
-  std::error_code error;
-  std::filesystem::create_directories(path, error);
-  if (error) throw RecordingError(fmt::format("cannot make the folder \"{}\": {}", path, error.message()));
-}
 
 // Leaves what is not there, or is a folder that holds something.
 void remove_own(const std::string& path) {
@@ -63,8 +58,8 @@ class StudyRunner {
     }
     if (!study_.keep_recordings) remove_recordings();
     StudyOutcome outcome = collect();
-    write_text_file(folder_ + "/study.csv", study_csv(study_, outcome.records));
-    write_text_file(folder_ + "/study.json", study_json(study_, outcome.records).dump(1) + "\n");
+    write_whole_file(folder_ + "/study.csv", FileKind::csv, study_csv(study_, outcome.records));
+    write_whole_file(folder_ + "/study.json", FileKind::json, study_json(study_, outcome.records).dump(1) + "\n");
     if (failure_) std::rethrow_exception(failure_);
     return outcome;
   }
@@ -105,7 +100,7 @@ class StudyRunner {
   }
 
   void keep(std::size_t index, StudyRecord record) {
-    write_text_file(record_path(folder_, index), record.dump(1) + "\n");
+    write_whole_file(record_path(folder_, index), FileKind::json, record.dump(1) + "\n");
     records_[index] = std::move(record);
     ++points_done_;
   }

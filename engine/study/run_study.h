@@ -38,7 +38,7 @@ using StudyCallback = std::function<void(const StudyProgress&)>;
 // Writes into `folder`, which must be new, empty or that study's own (see study_folder.h): points/NNNN.json as soon as
 // a point is done, runs/NNNN_VARIANT.h5 while it runs (kept when the study says so), and at the end, also when stopped,
 // study.csv and study.json of the points that are done. The runs themselves do not depend on `jobs`. Points whose
-// scenario is not valid are not run; their record says why. Throws RecordingError when something cannot be written;
+// scenario is not valid are not run; their record says why. Throws FileError when something cannot be written;
 // what is done remains.
 StudyOutcome run_study(const Study& study, const std::string& folder, const StudyOptions& options,
                        const StudyCallback& progress = {}, const std::stop_token& stop = {});

@@ -5,6 +5,7 @@
 #include "gui/commands/command.h"
 #include "gui/commands/model_report.h"
 #include "gui/commands/options.h"
+#include "gui/commands/standard_streams.h"
 
 namespace netpocket {
 
@@ -17,7 +18,7 @@ Action declare_check(CLI::App& app) {
 
 )" + exit_code_help({ExitCode::bad_input}));
   return [choice](const std::string&) {
-    fmt::print("{}", model_report(load_scenario(*choice)));
+    print(model_report(load_scenario(*choice)));
     return ExitCode::ok;
   };
 }

@@ -9,9 +9,10 @@
 #include <csignal>
 #include <sstream>
 
-#include "engine/recording/recorder.h"
+#include "engine/files/file_error.h"
 #include "gui/commands/command.h"
 #include "gui/commands/spelling.h"
+#include "gui/commands/standard_streams.h"
 #include "gui/commands/version.h"
 #ifdef NETPOCKET_WORKBENCH
 #include "gui/workbench/workbench.h"
@@ -69,14 +70,16 @@ class CommandLine {
     for (const auto& [parser, action] : actions_) {
       if (parser->parsed()) return action(fmt::format("netpocket {}", fmt::join(arguments, " ")));
     }
-    fmt::print("{}", app_.help());
+    print(app_.help());
     return ExitCode::ok;
   }
 
   // Help and version also come as an exception.
   ExitCode report(const CLI::ParseError& error) {
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
-      app_.exit(error);
+      std::ostringstream text, ignored;
+      app_.exit(error, text, ignored);
+      print(text.str());
       return ExitCode::ok;
     }
     const auto chosen = app_.get_subcommands();
@@ -150,30 +153,27 @@ class CommandLine {
 
 ExitCode complain(ExitCode code, const std::string& message) {
   std::istringstream lines(message);
-  for (std::string line; std::getline(lines, line);) fmt::print(stderr, "netpocket: {}\n", line);
+  for (std::string line; std::getline(lines, line);) say(line);
   return code;
 }
 
-ExitCode run_and_flush(CommandLine& program, const std::vector<std::string>& arguments) {
-  ExitCode code = ExitCode::ok;
+ExitCode run_parsed(CommandLine& program, const std::vector<std::string>& arguments) {
   try {
-    code = program.run(arguments);
+    return program.run(arguments);
   } catch (const CLI::ParseError& error) {
-    code = program.report(error);
+    return program.report(error);
   }
-  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-    throw CommandError(ExitCode::io, "cannot write to standard output");
-  }
-  return code;
 }
 
 ExitCode run_guarded(const std::vector<std::string>& arguments) {
   try {
     CommandLine program;
-    return run_and_flush(program, arguments);
+    return run_parsed(program, arguments);
   } catch (const CommandError& error) {
     return complain(error.code(), error.what());
-  } catch (const RecordingError& error) {
+  } catch (const OutputRefused& error) {
+    return complain(ExitCode::usage, error.what());
+  } catch (const FileError& error) {
     return complain(ExitCode::io, error.what());
   } catch (const FigureError& error) {
     return complain(ExitCode::io, error.what());
@@ -186,12 +186,21 @@ ExitCode run_guarded(const std::vector<std::string>& arguments) {
   }
 }
 
+// What went wrong before says more than that its report did not arrive.
+ExitCode run_and_flush(const std::vector<std::string>& arguments) {
+  const ExitCode code = run_guarded(arguments);
+  std::string reason;
+  if (!standard_output_failed(reason)) return code;
+  complain(ExitCode::io, fmt::format("cannot write to standard output: {}", reason));
+  return code == ExitCode::ok ? ExitCode::io : code;
+}
+
 }  // namespace
 
 int run_command_line(int argc, const char* const* argv) {
   // A limit on the size of files is an error to report, not a reason to die.
   std::signal(SIGXFSZ, SIG_IGN);
-  return static_cast<int>(run_guarded({argv + std::min(argc, 1), argv + argc}));
+  return static_cast<int>(run_and_flush({argv + std::min(argc, 1), argv + argc}));
 }
 
 }  // namespace netpocket

@@ -12,9 +12,9 @@ enum class ExitCode {
   usage = 2,          // unknown command, option or name; a missing or malformed value
   bad_input = 3,      // a scenario, setting or recording that is missing or not valid
   diverged = 4,       // the simulation became unstable; what it reached is recorded
-  io = 5,             // something cannot be written
+  io = 5,             // a file or folder cannot be read or written
   rendering = 6,      // a picture or video cannot be made
-  interrupted = 130,  // ended by Ctrl-C or SIGTERM; what was recorded is kept
+  interrupted = 130,  // ended by Ctrl-C, SIGTERM or SIGHUP; what was recorded is kept
 };
 
 // One line of help for each code, with `ok` and `usage` in any case.

@@ -2,12 +2,15 @@
 
 #include <memory>
 
+#include "engine/files/folder.h"
+#include "engine/files/output_list.h"
 #include "engine/recording/csv.h"
 #include "gui/commands/command.h"
 #include "gui/commands/interrupt.h"
 #include "gui/commands/options.h"
 #include "gui/commands/progress_line.h"
 #include "gui/commands/recordings.h"
+#include "gui/commands/standard_streams.h"
 #include "render/output/export_vtp.h"
 
 namespace netpocket {
@@ -22,6 +25,8 @@ Examples:
 
 )";
 
+constexpr const char* kSeriesName = "netpocket.pvd";
+
 struct ExportChoice {
   std::string recording;
   std::string csv;
@@ -31,13 +36,17 @@ struct ExportChoice {
 
 ExitCode export_series(const Recording& recording, const ExportChoice& choice) {
   const Interrupt interrupt;
-  ProgressLine line(!choice.quiet);
-  const auto show = [&](const RenderProgress& p) {
-    line.update(static_cast<double>(p.done) / static_cast<double>(p.total),
-                fmt::format("frame {} of {}, {} left", p.done, p.total, duration_text(p.seconds_left)));
-  };
-  const RenderOutcome outcome = export_vtp(recording, choice.vtp, {}, show, interrupt.token());
-  return outcome == RenderOutcome::finished ? ExitCode::ok : ExitCode::interrupted;
+  const RenderOutcome outcome = [&] {
+    ProgressLine line(!choice.quiet);
+    const auto show = [&](const RenderProgress& p) {
+      line.update(static_cast<double>(p.done) / static_cast<double>(p.total),
+                  fmt::format("frame {} of {}, {} left", p.done, p.total, duration_text(p.seconds_left)));
+    };
+    return export_vtp(recording, choice.vtp, {}, show, interrupt.token());
+  }();
+  if (outcome == RenderOutcome::finished) return ExitCode::ok;
+  say(fmt::format("interrupted; \"{}/{}\" lists the frames that were written", choice.vtp, kSeriesName));
+  return ExitCode::interrupted;
 }
 
 ExitCode export_recording(const ExportChoice& choice) {
@@ -45,10 +54,18 @@ ExitCode export_recording(const ExportChoice& choice) {
     throw CommandError(ExitCode::usage, "nothing to write: give --csv or --vtp");
   }
   const Recording recording = open_recording(choice.recording);
-  for (const std::string& folder : {choice.csv, choice.vtp}) {
-    if (!folder.empty()) make_output_folder(folder);
+  const std::string table = choice.csv + "/channels.csv";
+  OutputList outputs;
+  outputs.add_input(choice.recording);
+  if (!choice.csv.empty()) {
+    make_folder(choice.csv);
+    outputs.add("--csv", table, FileKind::csv);
   }
-  if (!choice.csv.empty()) write_channels_csv(recording, choice.csv + "/channels.csv");
+  if (!choice.vtp.empty()) {
+    make_folder(choice.vtp);
+    outputs.add("--vtp", fmt::format("{}/{}", choice.vtp, kSeriesName), FileKind::pvd);
+  }
+  if (!choice.csv.empty()) write_channels_csv(recording, table);
   return choice.vtp.empty() ? ExitCode::ok : export_series(recording, choice);
 }
 

@@ -6,6 +6,7 @@
 #include "engine/recording/report.h"
 #include "gui/commands/command.h"
 #include "gui/commands/recordings.h"
+#include "gui/commands/standard_streams.h"
 
 namespace netpocket {
 namespace {
@@ -35,7 +36,7 @@ Examples:
   return [choice](const std::string&) {
     const std::vector<Recording> recordings = open_recordings(choice->recordings);
     const auto findings = evaluate_findings(pointers(recordings));
-    fmt::print("{}", choice->json ? findings_json(findings).dump(2) + "\n" : findings_text(findings));
+    print(choice->json ? findings_json(findings).dump(2) + "\n" : findings_text(findings));
     return ExitCode::ok;
   };
 }

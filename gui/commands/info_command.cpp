@@ -7,6 +7,7 @@
 #include "engine/recording/verify.h"
 #include "gui/commands/command.h"
 #include "gui/commands/recordings.h"
+#include "gui/commands/standard_streams.h"
 
 namespace netpocket {
 namespace {
@@ -25,9 +26,10 @@ ExitCode verify(const std::string& path) {
       throw CommandError(ExitCode::bad_input, error.what());
     }
   }();
-  for (const std::string& problem : result.problems) fmt::print(stderr, "netpocket: {}\n", problem);
-  fmt::print("{}: {} frames, {} checkpoints, {} chunks of {} bytes: {}\n", path, result.frames, result.checkpoints,
-             result.chunks, result.bytes, result.ok() ? "all checksums are right" : "damaged");
+  for (const std::string& problem : result.problems) say(problem);
+  print(fmt::format("{}: {} frames, {} checkpoints, {} chunks of {} bytes: {}\n", path, result.frames,
+                    result.checkpoints, result.chunks, result.bytes,
+                    result.ok() ? "all checksums are right" : "damaged"));
   return result.ok() ? ExitCode::ok : ExitCode::bad_input;
 }
 
@@ -47,7 +49,7 @@ Action declare_info(CLI::App& app) {
   return [choice](const std::string&) {
     if (choice->verify) return verify(choice->recording);
     const Recording recording = open_recording(choice->recording);
-    fmt::print("{}", choice->json ? summary_json(recording).dump(2) + "\n" : summary_text(recording));
+    print(choice->json ? summary_json(recording).dump(2) + "\n" : summary_text(recording));
     return ExitCode::ok;
   };
 }

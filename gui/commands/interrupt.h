@@ -1,5 +1,5 @@
 #pragma once
-// Turns Ctrl-C (SIGINT) and SIGTERM into a request to stop.
+// Turns Ctrl-C (SIGINT), SIGTERM and the loss of the terminal (SIGHUP) into a request to stop.
 
 #include <signal.h>
 

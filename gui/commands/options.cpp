@@ -2,13 +2,12 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
 
+#include "engine/files/destination.h"
 #include "engine/scenario/check_scenario.h"
 #include "engine/scenario/read_scenario.h"
 #include "gui/commands/command.h"
@@ -34,14 +33,6 @@ void require_ok(const Diagnostics& diagnostics, const std::string& file) {
     named.add(std::move(diagnostic));
   }
   throw CommandError(ExitCode::bad_input, named.text());
-}
-
-[[noreturn]] void fail_to_write(const std::string& path, const std::error_code& error) {
-  throw CommandError(ExitCode::io, fmt::format("cannot write \"{}\": {}", path, error.message()));
-}
-
-void require_access(const std::string& folder, int mode, const std::string& path) {
-  if (access(folder.c_str(), mode) != 0) fail_to_write(path, std::error_code(errno, std::generic_category()));
 }
 
 }  // namespace
@@ -119,25 +110,12 @@ CLI::Option* add_scenario_options(CLI::App& app, ScenarioChoice& choice) {
 }
 
 Scenario load_scenario(const ScenarioChoice& choice) {
+  require_readable(choice.path);
   ScenarioResult result = read_scenario_file(choice.path);
   require_ok(result.diagnostics, choice.path);
   for (const std::string& setting : choice.settings) require_ok(apply_setting(result.scenario, setting), "--set");
   require_ok(check_scenario(result.scenario), choice.path);
   return std::move(result.scenario);
-}
-
-void make_output_folder(const std::string& path) {
-  std::error_code error;
-  std::filesystem::create_directories(path, error);
-  if (!error && !std::filesystem::is_directory(path)) error = std::make_error_code(std::errc::not_a_directory);
-  if (error) fail_to_write(path, error);
-  require_access(path, W_OK | X_OK, path);
-}
-
-void require_writable(const std::string& path) {
-  if (std::filesystem::is_directory(path)) fail_to_write(path, std::make_error_code(std::errc::is_a_directory));
-  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  require_access(folder.empty() ? "." : folder.string(), W_OK | X_OK, path);
 }
 
 }  // namespace netpocket

@@ -1,5 +1,5 @@
 #pragma once
-// What several commands share: checks of option values, the scenario, and places to write to.
+// What several commands share: checks of option values, and the scenario.
 
 #include <CLI/CLI.hpp>
 #include <optional>
@@ -38,10 +38,5 @@ CLI::Option* add_scenario_options(CLI::App& app, ScenarioChoice& choice);
 
 // Reads, applies the settings, then checks. Throws CommandError(bad_input) with all problems.
 Scenario load_scenario(const ScenarioChoice& choice);
-
-// Makes the folder when it is missing. Throws CommandError(io), also when nothing can be written there.
-void make_output_folder(const std::string& path);
-// Throws CommandError(io) when no file can be made at `path` or replaced.
-void require_writable(const std::string& path);
 
 }  // namespace netpocket

@@ -2,9 +2,13 @@
 
 #include <memory>
 
+#include "engine/files/folder.h"
+#include "engine/files/output_list.h"
 #include "gui/commands/command.h"
+#include "gui/commands/interrupt.h"
 #include "gui/commands/options.h"
 #include "gui/commands/recordings.h"
+#include "gui/commands/standard_streams.h"
 #include "render/figures/plot_figures.h"
 
 namespace netpocket {
@@ -22,6 +26,23 @@ std::string figure_list() {
   std::string text = "Figures:\n";
   for (const std::string& name : figure_names()) text += "  " + name + "\n";
   return text;
+}
+
+ExitCode plot(const PlotChoice& choice) {
+  const std::vector<Recording> recordings = open_recordings(choice.recordings);
+  const std::vector<RunSeries> runs = run_series(pointers(recordings));
+  const PlotOptions options{figure_format(choice.format), choice.figures, choice.resolution};
+  make_folder(choice.output);
+  OutputList outputs;
+  for (const std::string& recording : choice.recordings) outputs.add_input(recording);
+  for (const auto& file : figure_files(runs, choice.output, options)) {
+    outputs.add("--output", file.string(), file_kind(options.format));
+  }
+  const Interrupt interrupt;
+  plot_figures(runs, choice.output, options, interrupt.token());
+  if (!interrupt.token().stop_requested()) return ExitCode::ok;
+  say("interrupted; the figures finished so far are kept");
+  return ExitCode::interrupted;
 }
 
 }  // namespace
@@ -44,14 +65,8 @@ Examples:
   netpocket plot case1.h5 -o figures
   netpocket plot case1.h5 case2.h5 case3.h5 -o figures --figure figure09_force --format svg
 
-)" + exit_code_help({ExitCode::bad_input, ExitCode::io, ExitCode::rendering}));
-  return [choice](const std::string&) {
-    const std::vector<Recording> recordings = open_recordings(choice->recordings);
-    const std::vector<RunSeries> runs = run_series(pointers(recordings));
-    make_output_folder(choice->output);
-    plot_figures(runs, choice->output, {figure_format(choice->format), choice->figures, choice->resolution});
-    return ExitCode::ok;
-  };
+)" + exit_code_help({ExitCode::bad_input, ExitCode::io, ExitCode::rendering, ExitCode::interrupted}));
+  return [choice](const std::string&) { return plot(*choice); };
 }
 
 }  // namespace netpocket

@@ -1,13 +1,17 @@
 #include <fmt/format.h>
 
-#include <fstream>
+#include <algorithm>
 #include <memory>
 
+#include "engine/files/folder.h"
+#include "engine/files/output_list.h"
+#include "engine/files/whole_file.h"
 #include "gui/commands/command.h"
 #include "gui/commands/interrupt.h"
 #include "gui/commands/options.h"
 #include "gui/commands/progress_line.h"
 #include "gui/commands/recordings.h"
+#include "gui/commands/standard_streams.h"
 #include "render/output/render_frames.h"
 #include "render/output/render_sheet.h"
 #include "render/output/write_gltf.h"
@@ -55,6 +59,7 @@ struct RenderChoice {
 };
 
 CameraView load_view(const std::string& path) {
+  require_readable(path);
   try {
     return read_view_file(path);
   } catch (const RenderError& error) {
@@ -157,10 +162,7 @@ void render_pictures(const Recordings& recordings, const RenderChoice& choice, c
 void save_view(const Recordings& recordings, const RenderChoice& choice) {
   const auto view = common_view(recordings, render_options(choice).view).view;
   if (!view) throw CommandError(ExitCode::usage, "--save-view: the camera \"follow\" is not one view");
-  std::ofstream file(choice.saved_view);
-  file << view_text(*view);
-  file.close();
-  if (!file) throw CommandError(ExitCode::io, fmt::format("cannot write \"{}\"", choice.saved_view));
+  write_whole_file(choice.saved_view, FileKind::view, view_text(*view));
 }
 
 // Combinations of options that contradict each other.
@@ -184,15 +186,32 @@ void check_choice(const RenderChoice& choice) {
   }
 }
 
+// "0123.png": as the pictures in a folder are called.
+bool is_picture_name(const std::string& name) {
+  const std::size_t digits = std::min(name.find_first_not_of("0123456789"), name.size());
+  return digits > 0 && name.substr(digits) == suffix(FileKind::png);
+}
+
+void check_outputs(const RenderChoice& choice) {
+  OutputList outputs;
+  for (const std::string& recording : choice.recordings) outputs.add_input(recording);
+  if (!choice.view_file.empty()) outputs.add_input(choice.view_file);
+  if (!choice.folder.empty()) {
+    make_folder(choice.folder);
+    outputs.add_folder("--output", choice.folder, is_picture_name);
+  }
+  if (!choice.sheet.empty()) outputs.add("--sheet", choice.sheet, FileKind::png);
+  if (!choice.video.empty()) outputs.add("--video", choice.video, FileKind::video);
+  if (!choice.gltf.empty()) outputs.add("--gltf", choice.gltf, FileKind::gltf);
+  if (!choice.saved_view.empty()) outputs.add("--save-view", choice.saved_view, FileKind::view);
+}
+
 ExitCode render(const RenderChoice& choice) {
   check_choice(choice);
   const std::vector<Recording> opened = open_recordings(choice.recordings);
   const Recordings recordings = pointers(opened);
   for (const auto* recording : recordings) check_times(*recording, choice.times);
-  if (!choice.folder.empty()) make_output_folder(choice.folder);
-  for (const std::string& file : {choice.sheet, choice.video, choice.gltf, choice.saved_view}) {
-    if (!file.empty()) require_writable(file);
-  }
+  check_outputs(choice);
   const Interrupt interrupt;
   const std::stop_token stop = interrupt.token();
   if (!choice.saved_view.empty()) save_view(recordings, choice);
@@ -201,7 +220,9 @@ ExitCode render(const RenderChoice& choice) {
   if (!choice.sheet.empty()) {
     render_sheet(recordings, panel_times(*recordings.front(), choice), choice.sheet, sheet_options(choice), stop);
   }
-  return stop.stop_requested() ? ExitCode::interrupted : ExitCode::ok;
+  if (!stop.stop_requested()) return ExitCode::ok;
+  say("interrupted; what was finished so far is kept");
+  return ExitCode::interrupted;
 }
 
 void add_outputs(CLI::App& app, RenderChoice& choice) {

@@ -2,11 +2,13 @@
 
 #include <memory>
 
+#include "engine/files/output_list.h"
 #include "gui/commands/command.h"
 #include "gui/commands/interrupt.h"
 #include "gui/commands/options.h"
 #include "gui/commands/progress_line.h"
 #include "gui/commands/recordings.h"
+#include "gui/commands/standard_streams.h"
 #include "render/report/write_report.h"
 
 namespace netpocket {
@@ -33,16 +35,22 @@ struct ReportChoice {
 
 ExitCode report(const ReportChoice& choice) {
   const std::vector<Recording> recordings = open_recordings(choice.recordings);
-  require_writable(choice.output);
+  OutputList outputs;
+  for (const std::string& recording : choice.recordings) outputs.add_input(recording);
+  outputs.add("--output", choice.output, FileKind::html);
   const Interrupt interrupt;
-  ProgressLine line(!choice.quiet);
-  const auto show = [&](const RenderProgress& p) {
-    line.update(static_cast<double>(p.done) / static_cast<double>(p.total),
-                fmt::format("picture {} of {}, {} left", p.done, p.total, duration_text(p.seconds_left)));
-  };
   const ReportOptions options{gl_backend_from_name(choice.backend), !choice.no_video, choice.rate};
-  const auto outcome = write_report(pointers(recordings), choice.output, options, show, interrupt.token());
-  return outcome == RenderOutcome::finished ? ExitCode::ok : ExitCode::interrupted;
+  const auto outcome = [&] {
+    ProgressLine line(!choice.quiet);
+    const auto show = [&](const RenderProgress& p) {
+      line.update(static_cast<double>(p.done) / static_cast<double>(p.total),
+                  fmt::format("picture {} of {}, {} left", p.done, p.total, duration_text(p.seconds_left)));
+    };
+    return write_report(pointers(recordings), choice.output, options, show, interrupt.token());
+  }();
+  if (outcome == RenderOutcome::finished) return ExitCode::ok;
+  say(fmt::format("interrupted; \"{}\" was not written", choice.output));
+  return ExitCode::interrupted;
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <memory>
 
 #include "engine/dynamics/run.h"
+#include "engine/files/output_list.h"
 #include "engine/recording/report.h"
 #include "engine/scenario/parameter_text.h"
 #include "engine/scenario/read_scenario.h"
@@ -13,6 +13,7 @@
 #include "gui/commands/progress_line.h"
 #include "gui/commands/recordings.h"
 #include "gui/commands/run_log.h"
+#include "gui/commands/standard_streams.h"
 #include "gui/commands/version.h"
 
 namespace netpocket {
@@ -26,7 +27,7 @@ constexpr const char* kExamples = R"(Examples:
 
 Ctrl-C ends a run cleanly: what was recorded is kept. --resume goes on from the last checkpoint (one for each simulated
 second) of a run that was interrupted or killed and gives, to the last bit, what it would have given without that. It
-is refused when the scenario or the program is another. RUN.log, beside the recording, says what was run and how it went.
+is refused when the scenario or the program is another. RUN.h5.log, beside the recording, says what was run and how it went.
 
 )";
 
@@ -66,10 +67,10 @@ ExitCode report_ending(const RunStatus& status, const std::string& path) {
     case RunReason::finished:
       break;
     case RunReason::stopped:
-      fmt::print(stderr, "netpocket: interrupted at t = {:.4g} s; \"{}\" holds what was recorded\n", status.time, path);
+      say(fmt::format("interrupted at t = {:.4g} s; \"{}\" holds what was recorded", status.time, path));
       break;
     case RunReason::diverged:
-      fmt::print(stderr, "netpocket: {}; \"{}\" holds what was recorded\n", status.message, path);
+      say(fmt::format("{}; \"{}\" holds what was recorded", status.message, path));
       break;
     default:
       throw CommandError(ExitCode::io, status.message);
@@ -95,21 +96,46 @@ ExitCode run_watched(const RunChoice& choice, RunLog& log, const Simulate& simul
     }
   }();
   log.note_end(result);
-  if (!result.recorded) {
+  if (!result.recorded && result.status.reason != RunReason::storage_failed) {
     throw CommandError(ending_code(result.status.reason),
                        fmt::format("{} at t = {:.4g} s, before it came further than \"{}\", which is as it was",
                                    result.status.message, result.status.time, choice.output));
   }
   const ExitCode code = report_ending(result.status, choice.output);
-  if (!choice.quiet) fmt::print("{}", summary_text(open_recording(choice.output)));
-  return code;
+  if (!choice.quiet) print(summary_text(open_recording(choice.output)));
+  if (log.problem().empty()) return code;
+  say(log.problem());
+  return code == ExitCode::ok ? ExitCode::io : code;
 }
 
-void require_new_file(const RunChoice& choice) {
-  require_writable(choice.output);
-  if (!choice.overwrite && std::filesystem::exists(choice.output)) {
+void check_log(OutputList& outputs, const RunChoice& choice) {
+  outputs.add("the log", log_path(choice.output), FileKind::log);
+}
+
+// The recording of a new run.
+void check_outputs(const RunChoice& choice) {
+  OutputList outputs;
+  for (const std::string& input : {choice.scenario.path, choice.resumed}) {
+    if (!input.empty()) outputs.add_input(input);
+  }
+  outputs.add("--output", choice.output, FileKind::recording, ReadOnlyFiles::replaced);
+  if (!choice.overwrite && find_destination(choice.output, FileKind::recording, ReadOnlyFiles::replaced).existing) {
     throw CommandError(ExitCode::io, fmt::format("\"{}\" exists already; --overwrite replaces it", choice.output));
   }
+  check_log(outputs, choice);
+}
+
+// The recording that a run goes on with.
+void check_continued(const RunChoice& choice) {
+  OutputList outputs;
+  if (!choice.scenario.path.empty()) outputs.add_input(choice.scenario.path);
+  outputs.add_continued("--resume", choice.resumed, FileKind::recording, ReadOnlyFiles::replaced);
+  if (!choice.overwrite &&
+      is_read_only(find_destination(choice.resumed, FileKind::recording, ReadOnlyFiles::replaced))) {
+    throw CommandError(ExitCode::io,
+                       fmt::format("\"{}\" is read-only; --overwrite replaces it all the same", choice.resumed));
+  }
+  check_log(outputs, choice);
 }
 
 RunOptions run_options(const RunChoice& choice, const std::string& command_line) {
@@ -120,7 +146,7 @@ ExitCode start(const RunChoice& choice, const std::string& command_line) {
   ScenarioChoice scenario_choice = choice.scenario;
   if (choice.until > 0) scenario_choice.settings.push_back(fmt::format("output.end_time={}", choice.until));
   const Scenario scenario = load_scenario(scenario_choice);
-  require_new_file(choice);
+  check_outputs(choice);
   RunLog log(log_path(choice.output));
   log.note_program(command_line, choice.threads);
   log.note_scenario(scenario, choice.output);
@@ -151,13 +177,15 @@ void require_same_scenario(const ScenarioChoice& choice, const Scenario& recorde
   }
 }
 
+// Also where links or another spelling lead to it.
+bool is_same_place(const std::string& a, const std::string& b) {
+  struct stat one = {}, other = {};
+  return a == b || (stat(a.c_str(), &one) == 0 && stat(b.c_str(), &other) == 0 && is_same_file(one, other));
+}
+
 ExitCode resume(RunChoice choice, const std::string& command_line) {
-  const bool in_place = choice.output.empty() || choice.output == choice.resumed;
-  if (in_place) {
-    choice.output = choice.resumed;
-    choice.overwrite = true;
-  }
-  require_new_file(choice);
+  const bool in_place = choice.output.empty() || is_same_place(choice.output, choice.resumed);
+  if (in_place) choice.output = choice.resumed;
   double time = 0;
   Scenario scenario;
   {
@@ -167,11 +195,17 @@ ExitCode resume(RunChoice choice, const std::string& command_line) {
     if (choice.until > 0) scenario.output.end_time = choice.until;
     if (recording.status().reason == RunReason::finished &&
         recording.status().time >= scenario.output.end_time - 1e-9) {
-      fmt::print("\"{}\" is complete at t = {:.6g} s; --until goes on from there\n", choice.resumed,
-                 recording.status().time);
+      print(fmt::format("\"{}\" is complete at t = {:.6g} s; --until goes on from there\n", choice.resumed,
+                        recording.status().time));
       return ExitCode::ok;
     }
     if (!recording.checkpoint_times().empty()) time = recording.checkpoint_times().back();
+  }
+  if (in_place) {
+    check_continued(choice);
+    choice.overwrite = true;
+  } else {
+    check_outputs(choice);
   }
   RunLog log(log_path(choice.output));
   log.note_program(command_line, choice.threads);

@@ -5,14 +5,14 @@
 #include <spdlog/spdlog.h>
 #include <sys/utsname.h>
 
+#include <cerrno>
 #include <cmath>
-#include <filesystem>
 #include <thread>
 
 #include "engine/ancf/instruction_set.h"
+#include "engine/files/file_error.h"
 #include "engine/recording/fingerprint.h"
 #include "engine/scenario/write_scenario.h"
-#include "gui/commands/command.h"
 #include "gui/commands/version.h"
 
 namespace netpocket {
@@ -22,8 +22,12 @@ RunLog::RunLog(const std::string& path) {
     auto sink = std::make_shared<spdlog::sinks::basic_file_sink_mt>(path);
     logger_ = std::make_shared<spdlog::logger>("run", std::move(sink));
   } catch (const spdlog::spdlog_ex&) {
-    throw CommandError(ExitCode::io, fmt::format("cannot write \"{}\"", path));
+    throw write_error(path, errno);
   }
+  // Otherwise it would say so itself, on standard error.
+  logger_->set_error_handler([path, problem = problem_](const std::string&) {
+    if (problem->empty()) *problem = write_error(path, errno).what();
+  });
   logger_->set_pattern("%Y-%m-%d %H:%M:%S %v");
   logger_->flush_on(spdlog::level::info);
 }
@@ -69,9 +73,6 @@ void RunLog::note_end(const RunResult& result) {
 
 void RunLog::note_failure(const std::string& reason) { logger_->error("failed: {}", reason); }
 
-std::string log_path(const std::string& recording) {
-  const std::string path = std::filesystem::path(recording).replace_extension(".log").string();
-  return path == recording ? recording + ".log" : path;
-}
+std::string log_path(const std::string& recording) { return recording + ".log"; }
 
 }  // namespace netpocket

@@ -14,7 +14,8 @@ namespace netpocket {
 
 class RunLog {
  public:
-  // Goes on at the end of the file when there is one: whoever runs twice sees both. Throws CommandError(io).
+  // Goes on at the end of the file when there is one: whoever runs twice sees both. That it is a log of this program,
+  // FileKind::log, is checked before. Throws FileError.
   explicit RunLog(const std::string& path);
   ~RunLog();
 
@@ -26,13 +27,16 @@ class RunLog {
   void note_progress(const RunProgress& progress);
   void note_end(const RunResult& result);
   void note_failure(const std::string& reason);
+  // Why the log lacks lines, in one sentence; empty when it has all.
+  const std::string& problem() const { return *problem_; }
 
  private:
   std::shared_ptr<spdlog::logger> logger_;
+  std::shared_ptr<std::string> problem_ = std::make_shared<std::string>();
   int tenths_ = 0;
 };
 
-// "case1.log" of "case1.h5".
+// "case1.h5.log" of "case1.h5": each recording has its own.
 std::string log_path(const std::string& recording);
 
 }  // namespace netpocket

@@ -4,7 +4,9 @@
 #include <memory>
 #include <thread>
 
-#include "engine/recording/text_file.h"
+#include "engine/files/folder.h"
+#include "engine/files/output_list.h"
+#include "engine/files/whole_file.h"
 #include "engine/study/read_study.h"
 #include "engine/study/run_study.h"
 #include "engine/study/search_report.h"
@@ -12,6 +14,7 @@
 #include "gui/commands/interrupt.h"
 #include "gui/commands/options.h"
 #include "gui/commands/progress_line.h"
+#include "gui/commands/standard_streams.h"
 #include "gui/commands/version.h"
 
 namespace netpocket {
@@ -52,6 +55,7 @@ struct StudyChoice {
 };
 
 Study load_study(const std::string& path) {
+  require_readable(path);
   StudyResult result = read_study_file(path);
   if (!result.ok()) throw CommandError(ExitCode::bad_input, result.diagnostics.text());
   return std::move(result.study);
@@ -76,15 +80,24 @@ std::string outcome_text(const StudyOutcome& outcome, const std::string& folder)
   return text + fmt::format("; \"{0}/study.csv\" and \"{0}/study.json\" hold them\n", folder);
 }
 
+void check_outputs(const StudyChoice& choice) {
+  OutputList outputs;
+  outputs.add_input(choice.study);
+  outputs.add("--output", choice.output + "/study.csv", FileKind::csv);
+  outputs.add("--output", choice.output + "/study.json", FileKind::json);
+  if (!choice.report.empty()) outputs.add("--report", choice.report, FileKind::markdown);
+}
+
 ExitCode run(const StudyChoice& choice, const std::string& command_line) {
   const Study study = load_study(choice.study);
-  make_output_folder(choice.output);
-  if (!choice.resume && std::filesystem::exists(choice.output + "/points")) {
+  make_folder(choice.output);
+  std::error_code ignored;
+  if (!choice.resume && std::filesystem::exists(choice.output + "/points", ignored)) {
     throw CommandError(ExitCode::io, fmt::format("\"{}\" holds a study already; --resume goes on with it, or name "
                                                  "another folder",
                                                  choice.output));
   }
-  if (!choice.report.empty()) require_writable(choice.report);
+  check_outputs(choice);
   const StudyOptions options = {choice.jobs, choice.resume, program_version(), program_commit(), command_line};
   const Interrupt interrupt;
   const StudyOutcome outcome = [&] {
@@ -92,12 +105,12 @@ ExitCode run(const StudyChoice& choice, const std::string& command_line) {
     const auto show = [&](const StudyProgress& p) { line.update(p.fraction, progress_text(p)); };
     return run_study(study, choice.output, options, show, interrupt.token());
   }();
-  if (!choice.quiet) fmt::print("{}", outcome_text(outcome, choice.output));
+  if (!choice.quiet) print(outcome_text(outcome, choice.output));
   if (outcome.stopped) {
-    fmt::print(stderr, "netpocket: interrupted; the points that are done are kept, --resume goes on\n");
+    say("interrupted; the points that are done are kept, --resume goes on");
     return ExitCode::interrupted;
   }
-  if (!choice.report.empty()) write_text_file(choice.report, study_report(study, outcome.records));
+  if (!choice.report.empty()) write_whole_file(choice.report, FileKind::markdown, study_report(study, outcome.records));
   return ExitCode::ok;
 }
 

@@ -5,6 +5,7 @@
 
 #include "gui/commands/command.h"
 #include "gui/commands/options.h"
+#include "gui/commands/standard_streams.h"
 #include "gui/commands/version.h"
 #include "gui/workbench/workbench.h"
 
@@ -37,7 +38,7 @@ Examples:
     options->commit = program_commit();
     options->version_text = version_text();
     options->no_display = [](const std::string& reason) {
-      fmt::print(stderr, "netpocket: {}\n", reason);
+      say(reason);
       std::_Exit(static_cast<int>(ExitCode::rendering));
     };
     try {

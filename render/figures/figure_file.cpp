@@ -4,16 +4,13 @@
 #include <cairo-svg.h>
 #include <cairo.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
 #include <memory>
-#include <system_error>
 
+#include "engine/files/whole_file.h"
 #include "render/figures/svg_text.h"
 #include "render/fonts/font_file.h"
 
@@ -114,21 +111,6 @@ std::string encode_pdf(const Figure& figure) {
   return bytes;
 }
 
-void write_then_rename(const std::string& bytes, const std::filesystem::path& path) {
-  std::filesystem::path temporary = path;
-  temporary += fmt::format(".{}.part", getpid());
-  std::ofstream file(temporary, std::ios::binary);
-  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  file.close();
-  std::error_code error;
-  if (file.fail()) error = std::error_code(errno, std::generic_category());
-  if (!error) std::filesystem::rename(temporary, path, error);
-  if (!error) return;
-  std::error_code ignored;
-  std::filesystem::remove(temporary, ignored);
-  throw FigureError(fmt::format("cannot write figure '{}': {}", path.string(), error.message()));
-}
-
 }  // namespace
 
 FigureFormat figure_format(std::string_view name) {
@@ -151,6 +133,18 @@ const char* to_string(FigureFormat format) {
   return "png";
 }
 
+FileKind file_kind(FigureFormat format) {
+  switch (format) {
+    case FigureFormat::svg:
+      return FileKind::svg;
+    case FigureFormat::pdf:
+      return FileKind::pdf;
+    case FigureFormat::png:
+      break;
+  }
+  return FileKind::png;
+}
+
 std::string encode_figure(const Figure& figure, FigureFormat format, double resolution) {
   font_file();  // Cairo would draw with any other font, or with none
   if (format == FigureFormat::svg) return encode_svg(figure);
@@ -158,7 +152,8 @@ std::string encode_figure(const Figure& figure, FigureFormat format, double reso
 }
 
 void save_figure(const Figure& figure, const std::filesystem::path& path, double resolution) {
-  write_then_rename(encode_figure(figure, figure_format(path.extension().string()), resolution), path);
+  const FigureFormat format = figure_format(path.extension().string());
+  write_whole_file(path.string(), file_kind(format), encode_figure(figure, format, resolution));
 }
 
 }  // namespace netpocket

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "engine/files/file_kind.h"
 #include "render/figures/figure.h"
 #include "render/figures/figure_error.h"
 
@@ -17,6 +18,7 @@ inline constexpr double kPrintResolution = 300;  // dots per inch
 // "png", "svg" or "pdf", with or without a leading dot. Throws FigureError on any other name.
 FigureFormat figure_format(std::string_view name);
 const char* to_string(FigureFormat format);
+FileKind file_kind(FigureFormat format);
 
 // The figure as the bytes of a file. `resolution` (dots per inch) matters for PNG only, which also states it inside.
 // Text is text in SVG and PDF, which can be searched; PDF embeds the font, SVG names it and one that is as wide.
@@ -24,7 +26,8 @@ const char* to_string(FigureFormat format);
 std::string encode_figure(const Figure& figure, FigureFormat format, double resolution = kPrintResolution);
 
 // Writes the file in the format of its extension: first under a temporary name in the same directory, so that a reader
-// never sees half a figure and a failure leaves an older file alone. Throws FigureError.
+// never sees half a figure and a failure leaves an older file alone. Throws FigureError on an unknown format, FileError
+// where it cannot be written.
 void save_figure(const Figure& figure, const std::filesystem::path& path, double resolution = kPrintResolution);
 
 }  // namespace netpocket

@@ -2,24 +2,46 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "engine/files/folder.h"
+
 namespace netpocket {
+namespace {
+
+// Each once.
+std::vector<std::string> chosen_names(const PlotOptions& options, std::size_t runs) {
+  if (options.names.empty()) return default_figure_names(runs);
+  std::vector<std::string> names;
+  for (const std::string& name : options.names) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  return names;
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> figure_files(const std::vector<RunSeries>& runs,
+                                                const std::filesystem::path& directory, const PlotOptions& options) {
+  std::vector<std::filesystem::path> files;
+  for (const std::string& name : chosen_names(options, runs.size())) {
+    files.push_back(directory / fmt::format("{}.{}", name, to_string(options.format)));
+  }
+  return files;
+}
 
 std::vector<std::filesystem::path> plot_figures(const std::vector<RunSeries>& runs,
-                                                const std::filesystem::path& directory, const PlotOptions& options) {
-  const std::vector<std::string> names = options.names.empty() ? default_figure_names(runs.size()) : options.names;
+                                                const std::filesystem::path& directory, const PlotOptions& options,
+                                                const std::stop_token& stop) {
   std::vector<Figure> figures;
-  for (const std::string& name : names) figures.push_back(make_figure(name, runs));
-
-  std::error_code error;
-  std::filesystem::create_directories(directory, error);
-  if (error) {
-    throw FigureError(fmt::format("cannot make directory '{}': {}", directory.string(), error.message()));
+  for (const std::string& name : chosen_names(options, runs.size())) figures.push_back(make_figure(name, runs));
+  make_folder(directory.string());
+  auto files = figure_files(runs, directory, options);
+  std::size_t written = 0;
+  for (; written < files.size() && !stop.stop_requested(); ++written) {
+    save_figure(figures[written], files[written], options.resolution);
   }
-  std::vector<std::filesystem::path> files;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    files.push_back(directory / fmt::format("{}.{}", names[i], to_string(options.format)));
-    save_figure(figures[i], files.back(), options.resolution);
-  }
+  files.resize(written);
   return files;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -15,11 +16,16 @@ struct PlotOptions {
   double resolution = kPrintResolution;  // dots per inch, PNG only
 };
 
+// The files that plot_figures() writes, in order. A figure that is named twice is written once.
+std::vector<std::filesystem::path> figure_files(const std::vector<RunSeries>& runs,
+                                                const std::filesystem::path& directory, const PlotOptions& options);
+
 // Writes DIRECTORY/NAME.FORMAT for each figure and returns the files written, in order. Makes the directory when it is
-// missing. All names are checked before anything is written. Throws FigureError.
+// missing. All names are checked before anything is written. When stopped, those finished so far stay. Throws
+// FigureError and FileError.
 // With recordings: plot_figures(run_series(recordings), directory).
 std::vector<std::filesystem::path> plot_figures(const std::vector<RunSeries>& runs,
-                                                const std::filesystem::path& directory,
-                                                const PlotOptions& options = {});
+                                                const std::filesystem::path& directory, const PlotOptions& options = {},
+                                                const std::stop_token& stop = {});
 
 }  // namespace netpocket

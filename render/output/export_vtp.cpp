@@ -12,9 +12,8 @@
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataWriter.h>
 
-#include <fstream>
-
-#include "render/output/whole_file.h"
+#include "engine/files/folder.h"
+#include "engine/files/whole_file.h"
 #include "render/render_error.h"
 #include "render/scene/body_mesh.h"
 #include "render/scene/element_curve.h"
@@ -107,21 +106,12 @@ vtkSmartPointer<vtkPolyData> body_meshes(const Structure& structure, const Snaps
 }
 
 void write_vtp(vtkPolyData* mesh, const std::string& path) {
-  WholeFile file(path);
+  // Into memory: VTK tells of a full disk in words of its own and goes on.
   vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetFileName(file.temporary_path().c_str());
+  writer->WriteToOutputStringOn();
   writer->SetInputData(mesh);
-  if (!writer->Write()) throw RenderError(fmt::format("cannot write {}", path));
-  file.commit();
-}
-
-void write_text(const std::string& text, const std::string& path) {
-  WholeFile file(path);
-  std::ofstream stream(file.temporary_path());
-  stream << text;
-  stream.close();
-  if (!stream) throw RenderError(fmt::format("cannot write {}", path));
-  file.commit();
+  if (!writer->Write()) throw RenderError(fmt::format("cannot encode \"{}\"", path));
+  write_whole_file(path, FileKind::vtp, writer->GetOutputString());
 }
 
 }  // namespace
@@ -146,10 +136,10 @@ RenderOutcome export_vtp(const Recording& recording, const std::string& folder, 
     }
     meter.report(frame + 1);
   }
-  write_text(fmt::format("<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n{}"
-                         "  </Collection>\n</VTKFile>\n",
-                         entries),
-             folder + "/netpocket.pvd");
+  write_whole_file(folder + "/netpocket.pvd", FileKind::pvd,
+                   fmt::format("<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n"
+                               "  <Collection>\n{}  </Collection>\n</VTKFile>\n",
+                               entries));
   return frame == recording.frame_count() ? RenderOutcome::finished : RenderOutcome::cancelled;
 }
 

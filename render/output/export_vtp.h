@@ -1,6 +1,6 @@
 #pragma once
 // A recorded run for ParaView: netpocket.pvd and, for each frame, lines_0000.vtp (cords and rods) and bodies_0000.vtp.
-// Errors: RenderError or RecordingError with one sentence. Whatever happens, only whole files are left.
+// Errors: RenderError or FileError with one sentence. Whatever happens, only whole files are left.
 
 #include <stop_token>
 #include <string>

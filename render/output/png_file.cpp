@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "render/output/whole_file.h"
+#include "engine/files/whole_file.h"
 #include "render/render_error.h"
 
 namespace netpocket {
@@ -132,13 +132,13 @@ File open_file(const std::string& path) {
 
 void PngWriter::write(const Image& image, const std::string& path, const std::string& comment) {
   encode(image, comment, pixels_, file_);
-  WholeFile file(path);
-  const File stream(std::fopen(file.temporary_path().c_str(), "wb"), std::fclose);
-  if (!stream || std::fwrite(file_.data(), 1, file_.size(), stream.get()) != file_.size() ||
-      std::fflush(stream.get()) != 0) {
-    throw RenderError(fmt::format("cannot write {}: {}", path, std::strerror(errno)));
-  }
-  file.commit();
+  write_whole_file(path, FileKind::png, {reinterpret_cast<const char*>(file_.data()), file_.size()});
+}
+
+std::string png_bytes(const Image& image) {
+  Bytes pixels, file;
+  encode(image, {}, pixels, file);
+  return {file.begin(), file.end()};
 }
 
 void write_png(const Image& image, const std::string& path, const std::string& comment) {

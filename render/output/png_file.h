@@ -11,8 +11,7 @@ namespace netpocket {
 // Writes pictures one after the other; keeps its memory from one to the next. One thread at a time.
 class PngWriter {
  public:
-  // Replaces an existing file. A comment (Latin-1) is kept in the file. Throws RenderError with one sentence that names
-  // the file.
+  // Replaces an existing picture. A comment (Latin-1) is kept in the file. Throws FileError.
   void write(const Image& image, const std::string& path, const std::string& comment = {});
 
  private:
@@ -20,6 +19,7 @@ class PngWriter {
   std::vector<std::uint8_t> file_;
 };
 
+std::string png_bytes(const Image& image);
 void write_png(const Image& image, const std::string& path, const std::string& comment = {});
 
 // Reads any PNG as RGB, with alpha when it has it. Throws RenderError with one sentence that names the file.

@@ -9,6 +9,7 @@
 #include <optional>
 #include <thread>
 
+#include "engine/files/folder.h"
 #include "render/output/bounded_queue.h"
 #include "render/output/picture_comment.h"
 #include "render/output/png_file.h"
@@ -43,7 +44,10 @@ class FrameWriter {
     if (!options.folder.empty()) make_folder(options.folder);
     if (!options.video.empty()) {
       const int width = frame.width * static_cast<int>(runs);
-      video_ = std::make_unique<VideoFile>(options.video, width, frame.height, options.video_rate);
+      video_ = options.video_bytes == nullptr
+                   ? std::make_unique<VideoFile>(options.video, width, frame.height, options.video_rate)
+                   : std::make_unique<VideoFile>(options.video, *options.video_bytes, width, frame.height,
+                                                 options.video_rate);
     }
     thread_ = std::jthread([this] { run(); });
   }

@@ -1,7 +1,7 @@
 #pragma once
 // Pictures, a video and a contact sheet of a recorded run: what `netpocket render` and the workbench call.
 // Thread contract: any one thread; progress is reported on it. Memory does not grow with the number of frames.
-// Errors: RenderError or RecordingError with one sentence. Whatever happens, only whole files are left.
+// Errors: RenderError or FileError with one sentence. Whatever happens, only whole files are left.
 
 #include <stop_token>
 #include <string>
@@ -13,11 +13,12 @@
 namespace netpocket {
 
 struct RenderOptions {
-  RunView view;            // of each run
-  std::string folder;      // of 0000.png, 0001.png, ...; made if need be; empty: no pictures
-  std::string video;       // an .mp4 file; empty: none
-  double video_rate = 25;  // frames per second of the video
-  bool resume = false;     // keep pictures in the folder that are of the same run, time and look
+  RunView view;                        // of each run
+  std::string folder;                  // of 0000.png, 0001.png, ...; made if need be; empty: no pictures
+  std::string video;                   // an .mp4 file; empty: none
+  std::string* video_bytes = nullptr;  // gets the video instead, as a part of the HTML page that `video` names
+  double video_rate = 25;              // frames per second of the video
+  bool resume = false;                 // keep pictures in the folder that are of the same run, time and look
 };
 
 // One picture for each time (s), of the recorded frame nearest to it. When stopped, the pictures finished so far stay,

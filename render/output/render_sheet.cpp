@@ -40,8 +40,8 @@ void render_sheet(const Recording& recording, const std::vector<double>& times, 
   render_sheet(std::vector{&recording}, times, path, options, stop);
 }
 
-void render_sheet(const std::vector<const Recording*>& recordings, const std::vector<double>& times,
-                  const std::string& path, const SheetOptions& options, const std::stop_token& stop) {
+std::optional<Image> draw_sheet(const std::vector<const Recording*>& recordings, const std::vector<double>& times,
+                                const SheetOptions& options, const std::stop_token& stop) {
   if (recordings.empty() || times.empty()) throw RenderError("there are no times to draw");
   RunView view = options.view;
   // Without a legend nothing stands beside the pocket.
@@ -58,14 +58,19 @@ void render_sheet(const std::vector<const Recording*>& recordings, const std::ve
     if (recordings.size() > 1) layout.headings.push_back(recording.origin().scenario_name);
     RunRenderer renderer(recording, view);
     for (std::size_t i = 0; i < times.size(); ++i) {
-      if (stop.stop_requested()) return;
+      if (stop.stop_requested()) return std::nullopt;
       const std::size_t panel = i * recordings.size() + run;
       renderer.scene().show_annotations(panel == 0);
       const double shown = recording.times()[recording.frame_at(times[i])];
       panels[panel] = {smooth_frame(renderer.draw(times[i])), caption(panel, shown, renderer.scene_options().phases)};
     }
   }
-  write_png(make_contact_sheet(panels, layout), path);
+  return make_contact_sheet(panels, layout);
+}
+
+void render_sheet(const std::vector<const Recording*>& recordings, const std::vector<double>& times,
+                  const std::string& path, const SheetOptions& options, const std::stop_token& stop) {
+  if (const auto sheet = draw_sheet(recordings, times, options, stop)) write_png(*sheet, path);
 }
 
 }  // namespace netpocket

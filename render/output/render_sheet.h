@@ -1,6 +1,7 @@
 #pragma once
 // A contact sheet of a recorded run.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,10 @@ struct SheetOptions {
 
   static RunView panel_view();  // 640 x 640 pixels
 };
+
+// A picture with a panel for each time, as render_sheet() writes it; nothing when it was stopped.
+std::optional<Image> draw_sheet(const std::vector<const Recording*>& recordings, const std::vector<double>& times,
+                                const SheetOptions& options = {}, const std::stop_token& stop = {});
 
 // Writes a PNG with a panel "(a) t = 2.5 s, closing" for each time (s). Errors and thread contract as render_frames.
 void render_sheet(const Recording& recording, const std::vector<double>& times, const std::string& path,

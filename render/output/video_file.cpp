@@ -4,13 +4,19 @@
 #include <fmt/format.h>
 #include <signal.h>
 #include <spawn.h>
+#include <sys/mman.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
+#include <sstream>
+#include <utility>
 
+#include "render/output/mp4_boxes.h"
 #include "render/render_error.h"
 
 namespace netpocket {
@@ -51,32 +57,60 @@ std::vector<std::string> ffmpeg_arguments(int width, int height, double frames_p
           "bt709",
           "-movflags",
           "+faststart",
+          "-f",
+          "mp4",
           "file:" + path};
 }
 
-std::string first_line(std::FILE* file) {
-  char line[400] = {};
-  std::rewind(file);
-  if (!std::fgets(line, sizeof line, file)) return "it gave no reason";
-  line[std::strcspn(line, "\n")] = '\0';
-  return line;
+std::string content(int file) {
+  std::string text(static_cast<std::size_t>(std::max<off_t>(0, lseek(file, 0, SEEK_END))), '\0');
+  const ssize_t count = pread(file, text.data(), text.size(), 0);
+  text.resize(static_cast<std::size_t>(std::max<ssize_t>(0, count)));
+  return text;
+}
+
+std::string content(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+void replace_all(std::string& text, const std::string& old, const std::string& with) {
+  for (std::size_t at = text.find(old); at != text.npos; at = text.find(old, at + with.size())) {
+    text.replace(at, old.size(), with);
+  }
+}
+
+// The system's reason why a file cannot be written, where a line of ffmpeg's names one.
+const char* reason_to_fail(const std::string& line) {
+  for (const int error : {ENOSPC, EFBIG, EDQUOT, EIO, EROFS}) {
+    if (line.find(std::strerror(error)) != line.npos) return std::strerror(error);
+  }
+  return nullptr;
 }
 
 }  // namespace
 
 VideoFile::VideoFile(const std::string& path, int width, int height, double frames_per_second)
-    : file_(path), width_(width), height_(height), messages_(std::tmpfile(), std::fclose) {
-  if (!messages_) throw RenderError(fmt::format("cannot make a temporary file: {}", std::strerror(errno)));
+    : file_(path, FileKind::video), bytes_(nullptr), width_(width), height_(height) {
+  start(ffmpeg_arguments(width, height, frames_per_second, file_.temporary_path()));
+}
+
+VideoFile::VideoFile(const std::string& page, std::string& bytes, int width, int height, double frames_per_second)
+    : file_(page, FileKind::html), bytes_(&bytes), width_(width), height_(height) {
   start(ffmpeg_arguments(width, height, frames_per_second, file_.temporary_path()));
 }
 
 VideoFile::~VideoFile() {
-  if (process_ < 0) return;
-  kill(process_, SIGTERM);
-  wait();
+  if (process_ >= 0) {
+    kill(process_, SIGTERM);
+    wait();
+  }
+  close(messages_);
 }
 
 void VideoFile::start(const std::vector<std::string>& arguments) {
+  messages_ = memfd_create("ffmpeg", MFD_CLOEXEC);
   // A socket rather than a pipe: sending on it can be told not to raise SIGPIPE when ffmpeg has gone.
   int ends[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
@@ -90,16 +124,17 @@ void VideoFile::start(const std::vector<std::string>& arguments) {
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, ends[1], STDIN_FILENO);
   posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-  posix_spawn_file_actions_adddup2(&actions, fileno(messages_.get()), STDERR_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, messages_, STDERR_FILENO);
   const int error = posix_spawnp(&process_, "ffmpeg", &actions, nullptr, argv.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   close(ends[1]);
   input_ = ends[0];
   if (error == 0) return;
   close(input_);
+  close(std::exchange(messages_, -1));
   process_ = -1;
   throw RenderError(error == ENOENT
-                        ? fmt::format("cannot make the video {}: the program ffmpeg is not installed", file_.path())
+                        ? fmt::format("cannot make the video \"{}\": the program ffmpeg is not installed", file_.path())
                         : fmt::format("cannot start ffmpeg: {}", std::strerror(error)));
 }
 
@@ -116,9 +151,14 @@ void VideoFile::write(const Image& image) {
   }
 }
 
+// Ffmpeg may end with success although the end of the file did not fit; its messages and the file tell.
 void VideoFile::finish() {
-  if (wait() != 0) fail();
-  file_.commit();
+  if (wait() != 0 || !messages().empty() || !is_whole_mp4(file_.temporary_path())) fail();
+  if (bytes_ == nullptr) {
+    file_.commit();
+  } else {
+    *bytes_ = content(file_.temporary_path());
+  }
 }
 
 int VideoFile::wait() {
@@ -130,9 +170,24 @@ int VideoFile::wait() {
   return status;
 }
 
+std::vector<std::string> VideoFile::messages() const {
+  std::vector<std::string> lines;
+  std::istringstream text(content(messages_));
+  for (std::string line; std::getline(text, line);) {
+    replace_all(line, file_.temporary_path(), file_.path());
+    lines.push_back(line);
+  }
+  return lines;
+}
+
 void VideoFile::fail() {
   if (process_ >= 0) wait();
-  throw RenderError(fmt::format("ffmpeg could not make the video {}: {}", file_.path(), first_line(messages_.get())));
+  const auto lines = messages();
+  for (const std::string& line : lines) {
+    if (const char* reason = reason_to_fail(line)) throw write_error(file_.path(), reason);
+  }
+  throw RenderError(fmt::format("ffmpeg could not make the video \"{}\": {}", file_.path(),
+                                lines.empty() ? "it gave no reason, and what it wrote is not whole" : lines.front()));
 }
 
 }  // namespace netpocket

@@ -2,11 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-
+#include "engine/files/whole_file.h"
 #include "render/output/gltf_document.h"
 #include "render/output/run_renderer.h"
-#include "render/output/whole_file.h"
 #include "render/render_error.h"
 #include "render/scene/pocket_scene.h"
 
@@ -19,12 +17,7 @@ void write_gltf(const Recording& recording, double time, const std::string& path
   scene.update(recording.frame(recording.frame_at(time)));
   GltfDocument document;
   for (const auto& [name, actor] : scene.objects()) document.add(name, *actor);
-  WholeFile file(path);
-  std::ofstream stream(file.temporary_path(), std::ios::binary);
-  stream << document.bytes();
-  stream.close();
-  if (!stream) throw RenderError(fmt::format("cannot write {}", path));
-  file.commit();
+  write_whole_file(path, FileKind::gltf, document.bytes());
 }
 
 }  // namespace netpocket

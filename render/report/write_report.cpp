@@ -1,56 +1,24 @@
 #include "render/report/write_report.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 
+#include "engine/files/whole_file.h"
 #include "render/figures/figure_file.h"
 #include "render/figures/paper_figures.h"
+#include "render/output/png_file.h"
 #include "render/output/render_frames.h"
 #include "render/output/render_sheet.h"
-#include "render/output/whole_file.h"
 #include "render/render_error.h"
 #include "render/report/report_page.h"
 
 namespace netpocket {
 namespace {
 
-namespace fs = std::filesystem;
 using Recordings = std::vector<const Recording*>;
 
 constexpr int kSheetPanels = 6;
-
-// A folder that goes with the object.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string pattern = (fs::temp_directory_path() / "netpocket-report-XXXXXX").string();
-    if (!mkdtemp(pattern.data())) throw RenderError(fmt::format("cannot make a folder like {}", pattern));
-    path_ = pattern;
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-  std::string file(const char* name) const { return (path_ / name).string(); }
-
- private:
-  fs::path path_;
-};
-
-std::string content(const std::string& path) {
-  std::stringstream text;
-  text << std::ifstream(path, std::ios::binary).rdbuf();
-  return text.str();
-}
 
 std::vector<double> sheet_times(const Recordings& recordings) {
   double start = recordings.front()->times().front(), end = start;
@@ -92,28 +60,21 @@ RenderOutcome write_report(const Recordings& recordings, const std::string& path
   for (const auto* recording : recordings) {
     if (recording->frame_count() == 0) throw RenderError(fmt::format("{} has no frame to draw", recording->path()));
   }
-  const ScratchFolder scratch;
   ReportMedia media;
   if (options.video) {
     auto video = video_options(recordings.size(), options);
-    video.video = scratch.file("video.mp4");
+    video.video = path;
+    video.video_bytes = &media.video;
     const auto times = frame_times(recordings, options.video_rate);
     if (render_frames(recordings, times, video, progress, stop) == RenderOutcome::cancelled) {
       return RenderOutcome::cancelled;
     }
-    media.video = content(video.video);
   }
-  const auto sheet = scratch.file("sheet.png");
-  render_sheet(recordings, sheet_times(recordings), sheet, sheet_options(options), stop);
-  if (stop.stop_requested()) return RenderOutcome::cancelled;
-  media.sheet = content(sheet);
+  const auto sheet = draw_sheet(recordings, sheet_times(recordings), sheet_options(options), stop);
+  if (!sheet) return RenderOutcome::cancelled;
+  media.sheet = png_bytes(*sheet);
   media.figures = figures(recordings);
-  WholeFile file(path);
-  std::ofstream stream(file.temporary_path(), std::ios::binary);
-  stream << report_page(recordings, media);
-  stream.close();
-  if (!stream) throw RenderError(fmt::format("cannot write {}", path));
-  file.commit();
+  write_whole_file(path, FileKind::html, report_page(recordings, media));
   return RenderOutcome::finished;
 }
 

@@ -19,7 +19,7 @@ struct ReportOptions {
 };
 
 // Progress counts the video's pictures. Thread contract: any one thread. Errors: RenderError, FigureError or
-// RecordingError with one sentence. When it fails or is stopped there is no file, or the older one.
+// FileError with one sentence. When it fails or is stopped there is no file, or the older one.
 RenderOutcome write_report(const std::vector<const Recording*>& recordings, const std::string& path,
                            const ReportOptions& options = {}, const RenderProgressCallback& progress = {},
                            const std::stop_token& stop = {});

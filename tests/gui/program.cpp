@@ -9,7 +9,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <fstream>
+#include <string_view>
 #include <utility>
 
 extern char** environ;
@@ -24,30 +26,57 @@ std::string content(int file) {
   return text;
 }
 
-std::vector<char*> environment_without_display() {
+std::string_view name_of(std::string_view variable) { return variable.substr(0, variable.find('=')); }
+
+// Without a display, and with what is added.
+std::vector<char*> environment_with(const std::vector<std::string>& added) {
   std::vector<char*> result;
   for (char** variable = environ; *variable != nullptr; ++variable) {
-    const std::string_view text = *variable;
-    if (!text.starts_with("DISPLAY=") && !text.starts_with("WAYLAND_DISPLAY=")) result.push_back(*variable);
+    const std::string_view name = name_of(*variable);
+    const bool replaced = std::any_of(added.begin(), added.end(), [&](const auto& a) { return name_of(a) == name; });
+    if (!replaced && name != "DISPLAY" && name != "WAYLAND_DISPLAY") result.push_back(*variable);
   }
+  for (const std::string& variable : added) result.push_back(const_cast<char*>(variable.c_str()));
   result.push_back(nullptr);
   return result;
 }
 
+// A program takes over the limit of who starts it. SIGXFSZ would end the test: it only writes less than that.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(std::size_t bytes) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit = {bytes, before_.rlim_max};
+    if (bytes > 0) setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() { setrlimit(RLIMIT_FSIZE, &before_); }
+  FileSizeLimit(const FileSizeLimit&) = delete;
+  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+ private:
+  rlimit before_ = {};
+};
+
+int open_stream(const std::string& path) {
+  // In memory: a pipe would have to be read while the program runs.
+  return path.empty() ? memfd_create("stream", MFD_CLOEXEC) : open(path.c_str(), O_WRONLY | O_CLOEXEC);
+}
+
 }  // namespace
 
-RunningProgram::RunningProgram(const std::vector<std::string>& arguments, const std::string& out) {
-  // In memory: a pipe would have to be read while the program runs.
-  out_ = out.empty() ? memfd_create("out", MFD_CLOEXEC) : open(out.c_str(), O_WRONLY | O_CLOEXEC);
-  error_ = memfd_create("error", MFD_CLOEXEC);
+RunningProgram::RunningProgram(const std::vector<std::string>& arguments, const Surroundings& surroundings) {
+  out_ = open_stream(surroundings.out);
+  error_ = open_stream(surroundings.error);
   posix_spawn_file_actions_t files;
   posix_spawn_file_actions_init(&files);
   posix_spawn_file_actions_adddup2(&files, out_, STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&files, error_, STDERR_FILENO);
+  for (const int stream : surroundings.closed) posix_spawn_file_actions_addclose(&files, stream);
   // Test drivers may ignore SIGINT; the program is to see it.
   sigset_t defaults;
   sigemptyset(&defaults);
   sigaddset(&defaults, SIGINT);
+  sigaddset(&defaults, SIGHUP);
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   posix_spawnattr_setsigdefault(&attributes, &defaults);
@@ -58,9 +87,10 @@ RunningProgram::RunningProgram(const std::vector<std::string>& arguments, const 
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
-  EXPECT_EQ(
-      posix_spawn(&process_, NETPOCKET_PROGRAM, &files, &attributes, argv.data(), environment_without_display().data()),
-      0);
+  const FileSizeLimit limit(surroundings.largest_file);
+  EXPECT_EQ(posix_spawn(&process_, NETPOCKET_PROGRAM, &files, &attributes, argv.data(),
+                        environment_with(surroundings.environment).data()),
+            0);
   posix_spawn_file_actions_destroy(&files);
   posix_spawnattr_destroy(&attributes);
 }
@@ -85,7 +115,9 @@ ProgramResult RunningProgram::wait() {
           usage.ru_maxrss};
 }
 
-ProgramResult run_program(const std::vector<std::string>& arguments) { return RunningProgram(arguments).wait(); }
+ProgramResult run_program(const std::vector<std::string>& arguments, const Surroundings& surroundings) {
+  return RunningProgram(arguments, surroundings).wait();
+}
 
 TestFolder::TestFolder() {
   std::string name = testing::TempDir() + "/netpocket-XXXXXX";

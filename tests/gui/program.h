@@ -16,11 +16,19 @@ struct ProgramResult {
   long peak_memory = 0;  // largest resident set, kB
 };
 
+// What a program finds around it.
+struct Surroundings {
+  std::string out = {};                       // a file that takes standard output; empty: the result has it
+  std::string error = {};                     // likewise standard error
+  std::vector<int> closed = {};               // of the standard streams
+  std::vector<std::string> environment = {};  // "NAME=VALUE", besides or instead of what there is
+  std::size_t largest_file = 0;               // bytes that it may write into a file; 0: any number
+};
+
 // A program that is running; at most one result may be waited for.
 class RunningProgram {
  public:
-  // `out` may name a file that takes standard output.
-  explicit RunningProgram(const std::vector<std::string>& arguments, const std::string& out = {});
+  explicit RunningProgram(const std::vector<std::string>& arguments, const Surroundings& surroundings = {});
   ~RunningProgram();  // kills it when it was not waited for
   RunningProgram(const RunningProgram&) = delete;
   RunningProgram& operator=(const RunningProgram&) = delete;
@@ -33,7 +41,7 @@ class RunningProgram {
   int out_ = -1, error_ = -1;  // unlinked files
 };
 
-ProgramResult run_program(const std::vector<std::string>& arguments);
+ProgramResult run_program(const std::vector<std::string>& arguments, const Surroundings& surroundings = {});
 
 // A folder of its own that goes with the object.
 class TestFolder {

@@ -104,7 +104,7 @@ TEST(BadOutput, PlacesThatCannotBeWritten) {
     expect_refusal({"render", recording, "--sheet", output}, 5, output);
     expect_refusal({"render", recording, "--video", output}, 5, output);
   }
-  expect_refusal({"run", scenario, "-o", folder.file("")}, 5, "directory");
+  expect_refusal({"run", scenario, "-o", folder.file("")}, 5, "folder");
   for (const std::string& output : {file, inside_file}) {
     expect_refusal({"plot", recording, "-o", output}, 5, output);
     expect_refusal({"render", recording, "-o", output}, 5, output);
@@ -114,8 +114,7 @@ TEST(BadOutput, PlacesThatCannotBeWritten) {
 }
 
 TEST(BadOutput, FullStandardOutputIsNoticed) {
-  RunningProgram program({"--version"}, "/dev/full");
-  const auto result = program.wait();
+  const auto result = run_program({"--version"}, {.out = "/dev/full"});
   EXPECT_EQ(result.exit_code, 5);
   EXPECT_NE(result.error.find("standard output"), result.error.npos) << result.error;
 }

@@ -159,7 +159,7 @@ TEST(Robustness, NoShellSeesNames) {
 TEST(Robustness, TheLogSaysWhatWasRun) {
   const TestFolder folder;
   const std::string path = short_recording(folder);
-  std::ifstream file(folder.file("run.log"));
+  std::ifstream file(folder.file("run.h5.log"));
   const std::string log{std::istreambuf_iterator<char>(file), {}};
   for (const char* part : {" netpocket 0.", "HDF5 1.", "command: netpocket run ", "scenario case1, hash ", "t = 0.1 s",
                            "finished at t = 0.1 s", " elements, ", "limited by "}) {

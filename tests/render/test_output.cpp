@@ -78,8 +78,8 @@ TEST(Png, LeavesNothingBehindWhenItCannotWrite) {
   try {
     write_png(plain(20, 20, 0), "/no/such/folder/picture.png");
     FAIL();
-  } catch (const RenderError& error) {
-    EXPECT_STREQ(error.what(), "cannot write /no/such/folder/picture.png: No such file or directory");
+  } catch (const FileError& error) {
+    EXPECT_STREQ(error.what(), "cannot write \"/no/such/folder/picture.png\": No such file or directory");
   }
   EXPECT_THROW(read_png("/no/such/folder/picture.png"), RenderError);
   const auto broken = pictures::folder("png") + "/broken.png";
@@ -144,17 +144,21 @@ TEST(Video, UnfinishedLeavesNoFile) {
 }
 
 TEST(Video, SaysWhatFfmpegSaid) {
-  VideoFile video("/no/such/folder/video.mp4", 64, 64, 25);
+  const auto path = pictures::folder("video") + "/no_such_rate.mp4";
   try {
+    VideoFile video(path, 64, 64, -1);
     for (int i = 0; i < 1000; ++i) video.write(plain(64, 64, 9));
     video.finish();
     FAIL();
   } catch (const RenderError& error) {
     const std::string text = error.what();
-    EXPECT_NE(text.find("ffmpeg could not make the video /no/such/folder/video.mp4"), std::string::npos) << text;
-    EXPECT_NE(text.find("No such file or directory"), std::string::npos) << text;
+    EXPECT_NE(text.find("ffmpeg could not make the video \"" + path + "\": "), std::string::npos) << text;
+    EXPECT_NE(text.find("rate"), std::string::npos) << text;
   }
+  EXPECT_FALSE(std::filesystem::exists(path));
 }
+
+TEST(Video, NeedsItsFolder) { EXPECT_THROW(VideoFile("/no/such/folder/video.mp4", 64, 64, 25), FileError); }
 
 TEST(Video, MissingFfmpegIsOneSentence) {
   const std::string path = std::getenv("PATH");

@@ -129,7 +129,7 @@ TEST_F(RenderRun, UnwritableFolderIsOneSentence) {
   try {
     render_frames(recording, {0}, bad);
     FAIL();
-  } catch (const RenderError& error) {
+  } catch (const FileError& error) {
     EXPECT_NE(std::string(error.what()).find("cannot make the folder"), std::string::npos) << error.what();
   }
   EXPECT_THROW(render_frames(recording, {}, options()), RenderError);

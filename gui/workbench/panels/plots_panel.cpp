@@ -203,7 +203,7 @@ std::optional<QString> PlotsPanel::export_figure(const QString& path) const {
   if (const auto range = chart_->window() ? chart_->window() : time_range(figure)) share_time(figure, *range);
   try {
     save_figure(figure, std::filesystem::path(path.toStdString()));
-  } catch (const FigureError& error) {
+  } catch (const std::exception& error) {
     return QString::fromUtf8(error.what());
   }
   return std::nullopt;

@@ -51,7 +51,7 @@ TEST(Csv, SaysWhyItCannotWrite) {
   try {
     write_channels_csv(recording, path);
     FAIL();
-  } catch (const RecordingError& error) {
+  } catch (const FileError& error) {
     EXPECT_EQ(error.what(), "cannot write \"" + path + "\": No such file or directory");
   }
 }

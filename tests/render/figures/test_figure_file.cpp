@@ -109,12 +109,12 @@ TEST_F(FigureFile, SaysWhyAFileCannotBeWritten) {
   try {
     save_figure(simple_figure(), directory_ / "missing" / "line.png");
     FAIL() << "no exception";
-  } catch (const FigureError& error) {
-    EXPECT_NE(std::string(error.what()).find("missing/line.png': No such file or directory"), std::string::npos)
+  } catch (const FileError& error) {
+    EXPECT_NE(std::string(error.what()).find("missing/line.png\": No such file or directory"), std::string::npos)
         << error.what();
   }
   fs::create_directories(directory_ / "taken.png" / "inside");
-  EXPECT_THROW(save_figure(simple_figure(), directory_ / "taken.png"), FigureError);
+  EXPECT_THROW(save_figure(simple_figure(), directory_ / "taken.png"), FileError);
   EXPECT_EQ(std::distance(fs::directory_iterator(directory_), fs::directory_iterator()), 1) << "temporary file left";
 }
 
