@@ -12,6 +12,7 @@
 #include "engine/recording/draws.h"
 #include "engine/recording/push_regions.h"
 #include "engine/recording/run_history.h"
+#include "engine/recording/run_labels.h"
 #include "engine/recording/summary.h"
 
 namespace netpocket {
@@ -414,7 +415,8 @@ std::vector<Statement> statements() {
 
 std::vector<Finding> evaluate_findings(const std::vector<const Recording*>& recordings) {
   Runs runs;
-  for (const Recording* recording : recordings) runs.emplace_back(*recording);
+  const auto labels = run_labels(recordings);
+  for (std::size_t i = 0; i < recordings.size(); ++i) runs.emplace_back(*recordings[i], labels[i]);
   std::vector<Finding> findings;
   for (const Statement& s : statements()) {
     Finding finding{s.id, s.text, s.rule, s.judge(runs)};

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/recording/recording.h"
@@ -42,9 +43,10 @@ struct Capture {
 class RunHistory {
  public:
   // The recording must outlive the history.
-  explicit RunHistory(const Recording& recording) : recording_(&recording) {}
+  explicit RunHistory(const Recording& recording) : RunHistory(recording, recording.origin().scenario_name) {}
+  RunHistory(const Recording& recording, std::string name) : recording_(&recording), name_(std::move(name)) {}
 
-  const std::string& name() const { return recording_->origin().scenario_name; }
+  const std::string& name() const { return name_; }
   double closing_end() const { return recording_->origin().closing_end; }
   double towing_start() const { return recording_->origin().towing_start; }
   double end() const { return times().empty() ? 0 : times().back(); }
@@ -91,6 +93,7 @@ class RunHistory {
 
  private:
   const Recording* recording_;
+  std::string name_;
 };
 
 // The rule of capture(), in words.

@@ -1,6 +1,7 @@
 #include "render/figures/run_series.h"
 
 #include "engine/recording/recording.h"
+#include "engine/recording/run_labels.h"
 
 namespace netpocket {
 
@@ -16,6 +17,8 @@ RunSeries run_series(const Recording& recording) {
 std::vector<RunSeries> run_series(const std::vector<const Recording*>& recordings) {
   std::vector<RunSeries> runs;
   for (const Recording* recording : recordings) runs.push_back(run_series(*recording));
+  const auto labels = run_labels(recordings);
+  for (std::size_t i = 0; i < runs.size(); ++i) runs[i].name = labels[i];
   return runs;
 }
 

@@ -25,6 +25,7 @@ struct RunSeries {
 
 // Throws RecordingError when the recording cannot be read.
 RunSeries run_series(const Recording& recording);
+// Named as run_labels() does.
 std::vector<RunSeries> run_series(const std::vector<const Recording*>& recordings);
 
 }  // namespace netpocket

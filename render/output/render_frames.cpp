@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "engine/files/folder.h"
+#include "engine/recording/run_labels.h"
 #include "render/output/bounded_queue.h"
 #include "render/output/picture_comment.h"
 #include "render/output/png_file.h"
@@ -56,8 +57,7 @@ class FrameWriter {
   // The file of a picture; empty when there is none.
   std::string path(std::size_t index) const {
     if (options_.folder.empty()) return {};
-    const int digits = std::max(4, static_cast<int>(fmt::formatted_size("{}", total_ - 1)));
-    return fmt::format("{}/{:0{}}.png", options_.folder, index, digits);
+    return options_.folder + "/" + picture_file_name(index, total_);
   }
   // Frames whose memory can be used again.
   std::vector<DrawnFrame> recycled() { return used_.try_pop().value_or(std::vector<DrawnFrame>{}); }
@@ -115,10 +115,11 @@ class RunRow {
  public:
   RunRow(const std::vector<const Recording*>& recordings, const RunView& view) {
     const RunView common = common_view(recordings, view);
-    for (const auto* recording : recordings) {
+    const auto labels = run_labels(recordings);
+    for (std::size_t i = 0; i < recordings.size(); ++i) {
       RunView own = common;
-      if (recordings.size() > 1) own.frame.scene.title = joint_title(view.frame.scene.title, *recording);
-      renderers_.push_back(std::make_unique<RunRenderer>(*recording, own));
+      if (recordings.size() > 1) own.frame.scene.title = joint_title(view.frame.scene.title, labels[i]);
+      renderers_.push_back(std::make_unique<RunRenderer>(*recordings[i], own));
     }
   }
 
@@ -129,8 +130,7 @@ class RunRow {
   }
 
  private:
-  static std::string joint_title(const std::string& title, const Recording& recording) {
-    const auto& name = recording.origin().scenario_name;
+  static std::string joint_title(const std::string& title, const std::string& name) {
     return title.empty() ? name : fmt::format("{}: {}", title, name);
   }
 
@@ -138,6 +138,11 @@ class RunRow {
 };
 
 }  // namespace
+
+std::string picture_file_name(std::size_t index, std::size_t total) {
+  const int digits = std::max(4, static_cast<int>(fmt::formatted_size("{}", total - 1)));
+  return fmt::format("{:0{}}.png", index, digits);
+}
 
 RenderOutcome render_frames(const Recording& recording, const std::vector<double>& times, const RenderOptions& options,
                             const RenderProgressCallback& progress, const std::stop_token& stop) {

@@ -33,6 +33,9 @@ RenderOutcome render_frames(const std::vector<const Recording*>& recordings, con
                             const RenderOptions& options, const RenderProgressCallback& progress = {},
                             const std::stop_token& stop = {});
 
+// The name of a picture in its folder.
+std::string picture_file_name(std::size_t index, std::size_t total);
+
 // Times from the start to the end of a recording, `rate` a simulated second. Throws RenderError unless the rate is
 // positive.
 std::vector<double> frame_times(const Recording& recording, double rate);

@@ -1,9 +1,11 @@
 #include "render/report/report_page.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <functional>
 
+#include "engine/recording/run_labels.h"
 #include "engine/recording/summary.h"
 #include "render/report/html_text.h"
 #include "render/report/inline_svg.h"
@@ -36,17 +38,15 @@ constexpr const char* kStyle = R"(
   @media print { details > pre { white-space: pre-wrap; } figure, tr { break-inside: avoid; } }
 )";
 
-std::string name_of(const Recording& recording) { return html_text(recording.origin().scenario_name); }
-
-std::string joined_names(const Recordings& recordings) {
-  std::string names;
-  for (const auto* recording : recordings) names += (names.empty() ? "" : ", ") + name_of(*recording);
+std::vector<std::string> html_names(const Recordings& recordings) {
+  std::vector<std::string> names;
+  for (const std::string& label : run_labels(recordings)) names.push_back(html_text(label));
   return names;
 }
 
 std::string header_cells(const Recordings& recordings) {
   std::string cells;
-  for (const auto* recording : recordings) cells += fmt::format("<th scope=\"col\">{}</th>", name_of(*recording));
+  for (const std::string& name : html_names(recordings)) cells += fmt::format("<th scope=\"col\">{}</th>", name);
   return cells;
 }
 
@@ -129,15 +129,16 @@ std::string figure_block(const std::string& name, const std::string& svg) {
   return fmt::format("<figure id=\"{}\">{}</figure>\n", html_text(name), inline_svg(name, svg));
 }
 
-std::string scenario_block(const Recording& recording) {
-  return fmt::format("<details><summary>{}</summary><pre>{}</pre></details>\n", name_of(recording),
+std::string scenario_block(const std::string& name, const Recording& recording) {
+  return fmt::format("<details><summary>{}</summary><pre>{}</pre></details>\n", name,
                      html_text(recording.origin().scenario_text));
 }
 
 }  // namespace
 
 std::string report_page(const Recordings& recordings, const ReportMedia& media) {
-  const std::string names = joined_names(recordings);
+  const std::vector<std::string> names = html_names(recordings);
+  const std::string title = fmt::format("{}", fmt::join(names, "; "));
   std::string page = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
@@ -145,7 +146,7 @@ std::string report_page(const Recordings& recordings, const ReportMedia& media) 
       "<h1>Capture by a netted pocket: {}</h1>\n"
       "<p class=\"origin\">Simulated and written by netpocket; the findings are those of Tang et al., Appl. Sci. 2023, "
       "13, 10377.</p>\n",
-      names, kStyle, names);
+      title, kStyle, title);
   page += "<h2>Results</h2>\n" + summary_table(recordings);
   page += fmt::format(
       "<h2>Capture</h2>\n<figure id=\"sheet\"><img alt=\"the capture, step by step\" src=\"{}\"></figure>\n",
@@ -158,7 +159,7 @@ std::string report_page(const Recordings& recordings, const ReportMedia& media) 
   page += "<h2>Figures</h2>\n";
   for (const auto& [name, svg] : media.figures) page += figure_block(name, svg);
   page += "<h2>Scenarios</h2>\n";
-  for (const auto* recording : recordings) page += scenario_block(*recording);
+  for (std::size_t i = 0; i < recordings.size(); ++i) page += scenario_block(names[i], *recordings[i]);
   return page + "</body>\n</html>\n";
 }
 
