@@ -4,6 +4,7 @@
 
 #include "engine/files/whole_file.h"
 #include "engine/recording/recording.h"
+#include "engine/recording/written_time.h"
 
 namespace netpocket {
 
@@ -19,7 +20,9 @@ std::string header() {
 std::string row(const Recording& recording, std::size_t frame) {
   fmt::memory_buffer line;
   for (std::size_t c = 0; c < kChannelCount; ++c) {
-    const double value = recording.channel(static_cast<Channel>(c))[frame];
+    const auto channel = static_cast<Channel>(c);
+    const double recorded = recording.channel(channel)[frame];
+    const double value = channel == Channel::time ? written_time(recorded) : recorded;
     fmt::format_to(std::back_inserter(line), "{}{}", c == 0 ? "" : ",", value);
   }
   line.push_back('\n');

@@ -14,6 +14,7 @@
 
 #include "engine/files/folder.h"
 #include "engine/files/whole_file.h"
+#include "engine/recording/written_time.h"
 #include "render/render_error.h"
 #include "render/scene/body_mesh.h"
 #include "render/scene/element_curve.h"
@@ -85,17 +86,32 @@ vtkSmartPointer<vtkPolyData> line_mesh(const Structure& structure, const Snapsho
   return mesh;
 }
 
+// A surface in body axes, brought to a pose: points and normals. Its colours are for our own pictures.
+vtkSmartPointer<vtkPolyData> placed(vtkPolyData& surface, const BodyState& state) {
+  const vtkIdType count = surface.GetNumberOfPoints();
+  const auto positions = make_array<vtkFloatArray>("Points", 3, count);
+  const auto normals = make_array<vtkFloatArray>("Normals", 3, count);
+  auto* in_body = surface.GetPointData()->GetNormals();
+  for (vtkIdType i = 0; i < count; ++i) {
+    const Eigen::Vector3d position = Eigen::Map<const Eigen::Vector3d>(surface.GetPoint(i));
+    const Eigen::Vector3d normal = Eigen::Map<const Eigen::Vector3d>(in_body->GetTuple3(i));
+    set_column(*positions, i, state.position + state.attitude * position);
+    set_column(*normals, i, state.attitude * normal);
+  }
+  vtkNew<vtkPoints> points;
+  points->SetData(positions);
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  mesh->SetPoints(points);
+  mesh->SetPolys(surface.GetPolys());
+  mesh->GetPointData()->SetNormals(normals);
+  return mesh;
+}
+
 // The bodies' true surfaces at their poses.
 vtkSmartPointer<vtkPolyData> body_meshes(const Structure& structure, const Snapshot& snapshot) {
   vtkNew<vtkAppendPolyData> append;
   for (std::size_t i = 0; i < structure.bodies.size(); ++i) {
-    const auto mesh = plain_shape_mesh(structure.bodies[i].shape);
-    const auto& state = snapshot.bodies[i];
-    for (vtkIdType point = 0; point < mesh->GetNumberOfPoints(); ++point) {
-      const Eigen::Vector3d in_body = Eigen::Map<const Eigen::Vector3d>(mesh->GetPoint(point));
-      const Eigen::Vector3d in_world = state.position + state.attitude * in_body;
-      mesh->GetPoints()->SetPoint(point, in_world.data());
-    }
+    const auto mesh = placed(*plain_shape_mesh(structure.bodies[i].shape), snapshot.bodies[i]);
     const auto index = make_array<vtkIntArray>("body", 1, mesh->GetNumberOfCells());
     index->FillValue(static_cast<int>(i));
     mesh->GetCellData()->AddArray(index);
@@ -116,6 +132,10 @@ void write_vtp(vtkPolyData* mesh, const std::string& path) {
 
 }  // namespace
 
+std::string vtp_file_name(const std::string& part, std::size_t frame) {
+  return fmt::format("{}_{:04}.vtp", part, frame);
+}
+
 RenderOutcome export_vtp(const Recording& recording, const std::string& folder, const VtpOptions& options,
                          const RenderProgressCallback& progress, const std::stop_token& stop) {
   if (options.segments < 1) throw RenderError("an element needs at least one segment");
@@ -127,12 +147,13 @@ RenderOutcome export_vtp(const Recording& recording, const std::string& folder, 
   std::size_t frame = 0;
   for (; frame < recording.frame_count() && !stop.stop_requested(); ++frame) {
     const auto snapshot = recording.frame(frame);
-    const auto lines = fmt::format("lines_{:04}.vtp", frame), bodies = fmt::format("bodies_{:04}.vtp", frame);
+    const auto lines = vtp_file_name("lines", frame), bodies = vtp_file_name("bodies", frame);
     write_vtp(line_mesh(structure, snapshot, curve), folder + "/" + lines);
     if (!structure.bodies.empty()) write_vtp(body_meshes(structure, snapshot), folder + "/" + bodies);
-    entries += fmt::format("    <DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", snapshot.time, lines);
+    const double time = written_time(snapshot.time);
+    entries += fmt::format("    <DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", time, lines);
     if (!structure.bodies.empty()) {
-      entries += fmt::format("    <DataSet timestep=\"{}\" part=\"1\" file=\"{}\"/>\n", snapshot.time, bodies);
+      entries += fmt::format("    <DataSet timestep=\"{}\" part=\"1\" file=\"{}\"/>\n", time, bodies);
     }
     meter.report(frame + 1);
   }

@@ -1,20 +1,11 @@
-// From a recording on disk to frames, video, sheet and VTP series.
+// From a recording on disk to frames, video and sheet.
 
 #include <gtest/gtest.h>
-#include <vtkCellData.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPolyData.h>
-#include <vtkXMLPolyDataReader.h>
-
-#include <fstream>
-#include <sstream>
 
 #include "engine/recording/recorder.h"
 #include "engine/recording/recording.h"
 #include "engine/scenario/scenario.h"
 #include "engine/scenario/write_scenario.h"
-#include "render/output/export_vtp.h"
 #include "render/output/png_file.h"
 #include "render/output/render_frames.h"
 #include "render/output/render_sheet.h"
@@ -148,43 +139,6 @@ TEST_F(RenderRun, FollowsTheTarget) {
   following.view.camera = CameraPreset::follow;
   EXPECT_EQ(render_frames(recording, {0, 10}, following), RenderOutcome::finished);
   EXPECT_GT(pictures::drawn_fraction(read_png(options().folder + "/0001.png")), 0.05);
-}
-
-TEST_F(RenderRun, VtpCanBeReadAgain) {
-  const Recording recording(file());
-  const auto folder = folder_ + "/vtp";
-  EXPECT_EQ(export_vtp(recording, folder, {3}), RenderOutcome::finished);
-  vtkNew<vtkXMLPolyDataReader> reader;
-  reader->SetFileName((folder + "/lines_0004.vtp").c_str());
-  reader->Update();
-  auto* mesh = reader->GetOutput();
-  const auto& structure = recording.structure();
-  const auto elements = static_cast<vtkIdType>(structure.elements.size());
-  ASSERT_EQ(mesh->GetNumberOfLines(), elements);
-  ASSERT_EQ(mesh->GetNumberOfPoints(), 4 * elements);
-  const auto snapshot = recording.frame(4);
-  auto* tension = mesh->GetCellData()->GetArray("tension");
-  auto* strain = mesh->GetCellData()->GetArray("strain");
-  auto* kind = mesh->GetCellData()->GetArray("kind");
-  auto* velocity = mesh->GetPointData()->GetArray("velocity");
-  ASSERT_TRUE(tension && strain && kind && velocity);
-  for (vtkIdType i = 0; i < elements; i += 97) {
-    EXPECT_FLOAT_EQ(tension->GetTuple1(i), static_cast<float>(snapshot.tension[i]));
-    EXPECT_FLOAT_EQ(strain->GetTuple1(i), static_cast<float>(snapshot.strain[i]));
-    EXPECT_EQ(static_cast<int>(kind->GetTuple1(i)), static_cast<int>(structure.elements[i].kind));
-    const Eigen::Vector3d first = Eigen::Map<const Eigen::Vector3d>(mesh->GetPoint(4 * i));
-    const Eigen::Vector3d rate = Eigen::Map<const Eigen::Vector3d>(velocity->GetTuple3(4 * i));
-    EXPECT_LT((first - snapshot.positions.col(structure.elements[i].node[0])).norm(), 1e-5);
-    EXPECT_LT((rate - snapshot.velocities.col(structure.elements[i].node[0])).norm(), 1e-6);
-  }
-  reader->SetFileName((folder + "/bodies_0004.vtp").c_str());
-  reader->Update();
-  ASSERT_GT(reader->GetOutput()->GetNumberOfPoints(), 0);
-  ASSERT_TRUE(reader->GetOutput()->GetCellData()->GetArray("body"));
-
-  std::stringstream index;
-  index << std::ifstream(folder + "/netpocket.pvd").rdbuf();
-  EXPECT_NE(index.str().find("<DataSet timestep=\"4\" part=\"0\" file=\"lines_0004.vtp\"/>"), std::string::npos);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "engine/recording/csv.h"
 #include "engine/recording/report.h"
 #include "engine/recording/summary.h"
+#include "engine/recording/written_time.h"
 #include "tests/engine/recording/synthetic_run.h"
 
 namespace netpocket {
@@ -37,10 +38,28 @@ TEST(Csv, HoldsEveryChannelExactly) {
     ASSERT_EQ(values.size(), kChannelCount);
     for (std::size_t c = 0; c < kChannelCount; ++c) {
       EXPECT_EQ(names[c], kChannels[c].name);
-      EXPECT_EQ(std::stod(values[c]), recording.channel(static_cast<Channel>(c))[i]);
+      const double recorded = recording.channel(static_cast<Channel>(c))[i];
+      EXPECT_EQ(std::stod(values[c]), c == 0 ? written_time(recorded) : recorded);
     }
   }
   EXPECT_FALSE(std::filesystem::exists(path + ".part"));
+}
+
+// Times are sums of steps.
+TEST(Csv, WritesTheFramesTimes) {
+  EXPECT_EQ(written_time(2.999999999999357), 3);
+  EXPECT_EQ(written_time(0.06 + 3e-13), 0.06);
+  EXPECT_EQ(written_time(1.99987), 1.99987);  // a step short of 2 s
+  const TemporaryFolder folder;
+  const Structure structure = synthetic_structure(4);
+  {
+    Recorder recorder(folder.file("run.h5"), synthetic_origin(), structure, true);
+    Snapshot frame = synthetic_frame(structure, 0);
+    frame.time = 2.999999999999357;
+    recorder.write(frame);
+  }
+  write_channels_csv(Recording(folder.file("run.h5")), folder.file("channels.csv"));
+  EXPECT_TRUE(split(read_bytes(folder.file("channels.csv")), '\n').at(1).starts_with("3,"));
 }
 
 TEST(Csv, SaysWhyItCannotWrite) {
