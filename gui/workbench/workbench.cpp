@@ -6,8 +6,9 @@
 #include <memory>
 
 #include "gui/workbench/main_window.h"
+#include "gui/workbench/panels/window_fonts.h"
+#include "gui/workbench/panels/window_style.h"
 #include "gui/workbench/viewport/viewport.h"
-#include "gui/workbench/window_style.h"
 
 namespace netpocket {
 namespace {
@@ -92,6 +93,7 @@ int run_workbench(const WorkbenchOptions& options) {
         "the workbench needs a display, and neither DISPLAY nor WAYLAND_DISPLAY is set; the other commands need none "
         "(see netpocket --help)");
   }
+  require_window_fonts();
   prepare_opengl_format();
   int argc = 1;
   char name[] = "netpocket";
@@ -100,6 +102,7 @@ int run_workbench(const WorkbenchOptions& options) {
   QApplication application(argc, argv);
   trouble.reset();
   QApplication::setStyle(new WindowStyle);
+  use_window_fonts();
   QApplication::setApplicationName("netpocket");
   QApplication::setApplicationDisplayName("Netpocket");
   QApplication::setApplicationVersion(QString::fromStdString(options.version));

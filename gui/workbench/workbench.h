@@ -30,7 +30,7 @@ class NoDisplay : public std::runtime_error {
 bool can_open_window();
 
 // Shows the window and returns when it was closed: 0, or 1 when a screenshot was wanted and could not be written.
-// Throws NoDisplay.
+// Throws NoDisplay, and RenderError when a font is not installed.
 int run_workbench(const WorkbenchOptions& options);
 
 }  // namespace netpocket

@@ -146,7 +146,7 @@ FileKind file_kind(FigureFormat format) {
 }
 
 std::string encode_figure(const Figure& figure, FigureFormat format, double resolution) {
-  font_file();  // Cairo would draw with any other font, or with none
+  font_file();  // SVG files name it without looking for it
   if (format == FigureFormat::svg) return encode_svg(figure);
   return format == FigureFormat::pdf ? encode_pdf(figure) : encode_png(figure, resolution);
 }

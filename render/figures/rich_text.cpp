@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "render/figures/svg_text.h"
+#include "render/fonts/cairo_font.h"
+#include "render/fonts/drawable_text.h"
 
 namespace netpocket {
 namespace {
@@ -11,22 +13,16 @@ constexpr double kScriptSize = 0.7;
 constexpr double kSuperscriptRise = 0.38;
 constexpr double kSubscriptDrop = 0.16;
 
-void select_face(cairo_t* context, const TextRun& run, const TextStyle& style) {
-  cairo_select_font_face(context, "DejaVu Sans", run.italic ? CAIRO_FONT_SLANT_ITALIC : CAIRO_FONT_SLANT_NORMAL,
-                         style.bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
-  cairo_set_font_size(context, font_size(run, style));
-  cairo_font_options_t* options = cairo_font_options_create();
-  cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
-  cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
-  cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
-  cairo_set_font_options(context, options);
-  cairo_font_options_destroy(options);
+// Chooses the run's font; returns what to draw with it.
+std::string select_face(cairo_t* context, const TextRun& run, const TextStyle& style) {
+  DrawableText drawable = drawable_text(run.text, {.bold = style.bold, .italic = run.italic});
+  use_cairo_font(context, drawable.font, font_size(run, style), false);
+  return std::move(drawable.text);
 }
 
-double advance(cairo_t* context, const TextRun& run, const TextStyle& style) {
-  select_face(context, run, style);
+double advance(cairo_t* context, const std::string& text) {
   cairo_text_extents_t extents;
-  cairo_text_extents(context, run.text.c_str(), &extents);
+  cairo_text_extents(context, text.c_str(), &extents);
   return extents.x_advance;
 }
 
@@ -80,7 +76,7 @@ std::string plain_text(std::string_view text) {
 
 double text_width(cairo_t* context, std::string_view markup, const TextStyle& style) {
   double width = 0;
-  for (const TextRun& run : parse_rich_text(markup)) width += advance(context, run, style);
+  for (const TextRun& run : parse_rich_text(markup)) width += advance(context, select_face(context, run, style));
   return width;
 }
 
@@ -97,10 +93,10 @@ void draw_text(cairo_t* context, std::string_view markup, const TextStyle& style
   if (align == TextAlign::right) x -= width;
   cairo_set_source_rgb(context, style.colour.red, style.colour.green, style.colour.blue);
   for (const TextRun& run : parse_rich_text(markup)) {
-    const double run_width = advance(context, run, style);
+    const std::string text = select_face(context, run, style);
     cairo_move_to(context, x, y + baseline_shift(run, style));
-    cairo_show_text(context, run.text.c_str());
-    x += run_width;
+    cairo_show_text(context, text.c_str());
+    x += advance(context, text);
   }
   cairo_new_path(context);
 }

@@ -5,10 +5,13 @@
 #include <vtkPoints.h>
 #include <vtkPolyDataMapper2D.h>
 #include <vtkTextProperty.h>
+#include <vtkTextRenderer.h>
 
+#include <algorithm>
 #include <cmath>
 
-#include "render/fonts/font_file.h"
+#include "render/fonts/drawable_text.h"
+#include "render/fonts/shortened.h"
 
 namespace netpocket {
 
@@ -55,18 +58,10 @@ void OverlayShapes::add_triangle(const Eigen::Vector2d& a, const Eigen::Vector2d
   add_polygon({a, b, c}, color);
 }
 
-namespace {
-
-void use_scene_font(vtkTextProperty& property, bool bold) {
-  property.SetFontFamily(VTK_FONT_FILE);
-  property.SetFontFile(font_file(bold).c_str());
-}
-
-}  // namespace
-
-OverlayText::OverlayText(const Color& color, Align align, bool bold) {
+OverlayText::OverlayText(const Color& color, Align align, bool bold) : bold_(bold) {
   auto* property = actor_->GetTextProperty();
-  use_scene_font(*property, bold);
+  property->SetFontFamily(VTK_FONT_FILE);
+  property->SetFontFile(font_file({.bold = bold}).c_str());
   property->SetColor(color[0], color[1], color[2]);
   property->SetVerticalJustificationToCentered();
   property->SetJustification(align == Align::left     ? VTK_TEXT_LEFT
@@ -82,11 +77,31 @@ void OverlayText::set_ground(const Color& color) {
   actor_->GetTextProperty()->SetBackgroundOpacity(kOpacity);
 }
 
-void OverlayText::set_text(const std::string& text) { actor_->SetInput(text.c_str()); }
+void OverlayText::set_text(const std::string& text) {
+  const DrawableText drawable = drawable_text(text, {.bold = bold_});
+  text_ = drawable.text;
+  actor_->GetTextProperty()->SetFontFile(drawable.font.c_str());
+  actor_->SetInput(text_.c_str());
+}
 
 void OverlayText::place(const Eigen::Vector2d& position, double size) {
   actor_->SetPosition(std::round(position.x()), std::round(position.y()));
   actor_->GetTextProperty()->SetFontSize(static_cast<int>(std::lround(size)));
+}
+
+void OverlayText::place_within(const Eigen::Vector2d& position, double size, double width) {
+  constexpr double kSmallest = 0.7;
+  place(position, size);
+  const double needed = width_of(text_);
+  if (needed > width) place(position, std::floor(size * std::max(kSmallest, width / needed)));
+  actor_->SetInput(shortened(text_, [&](const std::string& part) { return width_of(part) <= width; }).c_str());
+}
+
+double OverlayText::width_of(const std::string& text) const {
+  constexpr int kDotsPerInch = 72;  // of every render window that is not told otherwise
+  int box[4] = {0, 0, 0, 0};
+  vtkTextRenderer::GetInstance()->GetBoundingBox(actor_->GetTextProperty(), text, box, kDotsPerInch);
+  return box[1] - box[0] + 1;
 }
 
 }  // namespace netpocket

@@ -45,14 +45,21 @@ class OverlayText {
 
   // Lets little of what is behind shine through.
   void set_ground(const Color& color);
+  // In DejaVu Sans or, for letters that it lacks, another installed font.
   void set_text(const std::string& text);
   // The middle of the text's height, its left end, middle or right end; size in pixels.
   void place(const Eigen::Vector2d& position, double size);
+  // Likewise, but no wider than `width` pixels: in smaller letters, and where that is not enough without its end.
+  void place_within(const Eigen::Vector2d& position, double size, double width);
 
   vtkTextActor* prop() { return actor_; }
 
  private:
+  double width_of(const std::string& text) const;
+
   vtkNew<vtkTextActor> actor_;
+  bool bold_;
+  std::string text_;  // all of it
 };
 
 }  // namespace netpocket

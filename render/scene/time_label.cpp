@@ -36,7 +36,7 @@ void TimeLabel::adapt(const View& view) {
   double y = view.height - 38 * unit;
   const double x = 28 * unit;
   if (!options_.title.empty()) {
-    title_.place({x, y}, 23 * unit);
+    title_.place_within({x, y}, 23 * unit, view.width - 2 * x);
     y -= 32 * unit;
   }
   time_.place({x, y}, 21 * unit);

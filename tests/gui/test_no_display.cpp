@@ -30,6 +30,24 @@ TEST_F(NoDisplayTest, WithoutAny) { expect_refusal(nullptr, "neither DISPLAY nor
 
 TEST_F(NoDisplayTest, ThatCannotBeReached) { expect_refusal("xcb:display=:4711", "cannot be reached"); }
 
+TEST_F(NoDisplayTest, WithoutAFontOfTheWindow) {
+  const TestFolder folder;
+  folder.write("fonts.conf", R"(<?xml version="1.0"?>
+<fontconfig>
+  <dir>/usr/share/fonts</dir>
+  <selectfont>
+    <rejectfont><pattern><patelt name="family"><string>DejaVu Sans Mono</string></patelt></pattern></rejectfont>
+  </selectfont>
+</fontconfig>
+)");
+  setenv("QT_QPA_PLATFORM", "offscreen", 1);
+  setenv("FONTCONFIG_FILE", folder.file("fonts.conf").c_str(), 1);
+  const auto result = run_program({"workbench"});
+  unsetenv("FONTCONFIG_FILE");
+  EXPECT_EQ(result.exit_code, kRendering);
+  EXPECT_EQ(result.error, "netpocket: the font DejaVu Sans Mono is not installed (Debian: fonts-dejavu-core)\n");
+}
+
 TEST_F(NoDisplayTest, WithAMisspeltPlatform) { expect_refusal("xbc", "there is no Qt platform \"xbc\""); }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include "gui/workbench/editor/toml_edit_view.h"
 
-#include <QFontDatabase>
+#include <QApplication>
 #include <QHelpEvent>
 #include <QPainter>
 #include <QSignalBlocker>
@@ -11,12 +11,15 @@
 #include "gui/workbench/editor/line_numbers.h"
 #include "gui/workbench/editor/toml_highlighter.h"
 #include "gui/workbench/panels/tones.h"
+#include "render/fonts/font_file.h"
 
 namespace netpocket {
 
 TomlEditView::TomlEditView(QWidget* parent)
     : QPlainTextEdit(parent), numbers_(new LineNumbers(this)), highlighter_(new TomlHighlighter(document())) {
-  setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+  QFont columns = QApplication::font();
+  columns.setFamily(kMonoFontFamily);
+  setFont(columns);
   setLineWrapMode(QPlainTextEdit::NoWrap);
   setTabStopDistance(2 * fontMetrics().horizontalAdvance(' '));
   setTabChangesFocus(true);

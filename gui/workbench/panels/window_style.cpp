@@ -1,4 +1,4 @@
-#include "gui/workbench/window_style.h"
+#include "gui/workbench/panels/window_style.h"
 
 #include <QPainter>
 #include <QStyleFactory>

@@ -3,13 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
-#include <QStandardPaths>
+
+#include "tests/gui/plain_desktop.h"
 
 int main(int argc, char** argv) {
   qputenv("QT_QPA_PLATFORM", "offscreen");
   testing::InitGoogleTest(&argc, argv);
-  QStandardPaths::setTestModeEnabled(true);
+  netpocket::leave_desktop();
   QApplication application(argc, argv);
-  QApplication::setStyle("Fusion");
+  netpocket::use_plain_look();
   return RUN_ALL_TESTS();
 }
