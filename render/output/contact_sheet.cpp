@@ -4,10 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 
-#include "render/fonts/font_file.h"
+#include "render/fonts/cairo_font.h"
+#include "render/fonts/drawable_text.h"
+#include "render/fonts/shortened.h"
 #include "render/render_error.h"
 
 namespace netpocket {
@@ -44,22 +47,51 @@ Image to_image(cairo_surface_t* surface) {
   return image;
 }
 
-void use_font(cairo_t* context, double size, cairo_font_weight_t weight) {
-  cairo_select_font_face(context, kFontFamily, CAIRO_FONT_SLANT_NORMAL, weight);
-  cairo_set_font_size(context, size);
+struct CaptionStyle {
+  double size;   // pixels
+  double width;  // pixels, that there are
+  bool bold = false;
+};
+
+double advance(cairo_t* context, const std::string& text) {
+  cairo_text_extents_t extents;
+  cairo_text_extents(context, text.c_str(), &extents);
+  return extents.x_advance;
 }
 
-void draw_caption(cairo_t* context, const std::string& caption, double center, double baseline) {
-  cairo_text_extents_t extents;
-  cairo_text_extents(context, caption.c_str(), &extents);
-  cairo_move_to(context, center - extents.x_advance / 2, baseline);
-  cairo_show_text(context, caption.c_str());
+// Long captions are written in smaller letters; beyond that their ends are left out.
+void draw_caption(cairo_t* context, const std::string& caption, const CaptionStyle& style, double center,
+                  double baseline) {
+  constexpr double kSmallest = 0.7;
+  const DrawableText drawable = drawable_text(caption, {.bold = style.bold});
+  use_cairo_font(context, drawable.font, style.size, true);
+  const double needed = advance(context, drawable.text);
+  if (needed > style.width) {
+    use_cairo_font(context, drawable.font, style.size * std::max(kSmallest, style.width / needed), true);
+  }
+  const std::string text =
+      shortened(drawable.text, [&](const std::string& part) { return advance(context, part) <= style.width; });
+  cairo_move_to(context, center - advance(context, text) / 2, baseline);
+  cairo_show_text(context, text.c_str());
 }
 
 }  // namespace
 
+int balanced_columns(int panels, double aspect) {
+  constexpr double kBestAspect = 16.0 / 9, kAspectWeight = 0.5;
+  const auto cost = [&](int columns) {
+    const int rows = (panels + columns - 1) / columns;
+    const double empty = static_cast<double>(rows * columns - panels) / columns;
+    return empty + kAspectWeight * std::abs(std::log(columns * aspect / (rows * kBestAspect)));
+  };
+  int best = 1;
+  for (int columns = 2; columns <= panels; ++columns) {
+    if (cost(columns) < cost(best)) best = columns;
+  }
+  return best;
+}
+
 Image make_contact_sheet(const std::vector<SheetPanel>& panels, const SheetLayout& layout) {
-  font_file();
   if (panels.empty() || layout.columns < 1) throw RenderError("a contact sheet needs a picture and a column");
   const int count = static_cast<int>(panels.size()), columns = std::min(layout.columns, count);
   const int rows = (count + columns - 1) / columns;
@@ -82,12 +114,12 @@ Image make_contact_sheet(const std::vector<SheetPanel>& panels, const SheetLayou
   cairo_set_source_rgb(context.get(), 1, 1, 1);
   cairo_paint(context.get());
   cairo_set_source_rgb(context.get(), 0.1, 0.11, 0.13);
-  use_font(context.get(), 1.2 * layout.caption_size, CAIRO_FONT_WEIGHT_BOLD);
+  const CaptionStyle heading{1.2 * layout.caption_size, static_cast<double>(width), true};
+  const CaptionStyle caption_style{static_cast<double>(layout.caption_size), static_cast<double>(width)};
   for (int i = 0; i < std::min(columns, static_cast<int>(layout.headings.size())); ++i) {
-    draw_caption(context.get(), layout.headings[i], layout.margin + i * step_x + width / 2.0,
+    draw_caption(context.get(), layout.headings[i], heading, layout.margin + i * step_x + width / 2.0,
                  layout.margin + 1.2 * layout.caption_size);
   }
-  use_font(context.get(), layout.caption_size, CAIRO_FONT_WEIGHT_NORMAL);
   for (int i = 0; i < count; ++i) {
     const auto& [image, caption] = panels[i];
     const int left = layout.margin + i % columns * step_x + (width - image.width) / 2;
@@ -96,7 +128,8 @@ Image make_contact_sheet(const std::vector<SheetPanel>& panels, const SheetLayou
     copy_panel(image, surface.get(), left, top);
     cairo_surface_mark_dirty(surface.get());
     if (layout.caption_size == 0) continue;
-    draw_caption(context.get(), caption, left + image.width / 2.0, top + height + 1.15 * layout.caption_size);
+    draw_caption(context.get(), caption, caption_style, left + image.width / 2.0,
+                 top + height + 1.15 * layout.caption_size);
   }
   cairo_surface_flush(surface.get());
   return to_image(surface.get());

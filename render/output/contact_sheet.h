@@ -20,6 +20,10 @@ struct SheetLayout {
   std::vector<std::string> headings = {};  // above the columns
 };
 
+// Columns for panels of an aspect (width / height): the last row is full or lacks little, the sheet about as broad as a
+// screen.
+int balanced_columns(int panels, double aspect);
+
 // Cells are as large as the largest panel; a last row that is not full starts at the left. Throws RenderError when
 // there is no panel or no column.
 Image make_contact_sheet(const std::vector<SheetPanel>& panels, const SheetLayout& layout = {});

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "engine/recording/run_labels.h"
 #include "render/output/png_file.h"
 #include "render/render_error.h"
 #include "render/scene/time_label.h"
@@ -20,6 +21,13 @@ std::string letters(std::size_t index) {
 std::string caption(std::size_t index, double time, const std::optional<PhaseTimes>& phases) {
   const auto label = fmt::format("({}) t = {:.4g} s", letters(index), time);
   return phases ? fmt::format("{}, {}", label, phase_name(*phases, time)) : label;
+}
+
+int columns_of(const SheetOptions& options, std::size_t runs, std::size_t times) {
+  if (runs > 1) return static_cast<int>(runs);
+  const auto& frame = options.view.frame;
+  const double aspect = static_cast<double>(frame.width) / frame.height;
+  return options.columns.value_or(balanced_columns(static_cast<int>(times), aspect));
 }
 
 }  // namespace
@@ -50,12 +58,12 @@ std::optional<Image> draw_sheet(const std::vector<const Recording*>& recordings,
   SheetLayout layout = options.layout;
   // Captions of small panels must not run into each other.
   layout.caption_size = std::min(layout.caption_size, std::max(8, view.frame.width / 16));
-  if (recordings.size() > 1) layout.columns = static_cast<int>(recordings.size());
+  layout.columns = columns_of(options, recordings.size(), times.size());
+  if (recordings.size() > 1) layout.headings = run_labels(recordings);
   std::vector<SheetPanel> panels(recordings.size() * times.size());
   // Run by run, because each has a scene of its own; row by row on the sheet.
   for (std::size_t run = 0; run < recordings.size(); ++run) {
     const auto& recording = *recordings[run];
-    if (recordings.size() > 1) layout.headings.push_back(recording.origin().scenario_name);
     RunRenderer renderer(recording, view);
     for (std::size_t i = 0; i < times.size(); ++i) {
       if (stop.stop_requested()) return std::nullopt;

@@ -14,7 +14,8 @@ struct SheetOptions {
   // Size, camera and scene of a panel. Axes, scale bar and legend stand in the first panel only; the captions give the
   // times.
   RunView view = panel_view();
-  SheetLayout layout;
+  SheetLayout layout;          // its columns do not matter
+  std::optional<int> columns;  // absent: so that the last row is full or nearly so
 
   static RunView panel_view();  // 640 x 640 pixels
 };
@@ -27,8 +28,8 @@ std::optional<Image> draw_sheet(const std::vector<const Recording*>& recordings,
 void render_sheet(const Recording& recording, const std::vector<double>& times, const std::string& path,
                   const SheetOptions& options = {}, const std::stop_token& stop = {});
 
-// Several runs next to each other: a column for each run with its name, a row for each time; the layout's columns do
-// not matter. Framed and coloured alike. A run that has no frame at a time shows the nearest it has.
+// Several runs next to each other: a column for each run with its name, a row for each time; the options'
+// columns do not matter. Framed and coloured alike. A run that has no frame at a time shows the nearest it has.
 void render_sheet(const std::vector<const Recording*>& recordings, const std::vector<double>& times,
                   const std::string& path, const SheetOptions& options = {}, const std::stop_token& stop = {});
 

@@ -118,6 +118,22 @@ TEST(ContactSheet, LaysOutPanels) {
   EXPECT_EQ(pictures::drawn_fraction(empty), 0);
 }
 
+TEST(ContactSheet, FillsItsLastRow) {
+  const auto empty_cells = [](int panels, int columns) { return (columns - panels % columns) % columns; };
+  for (int panels = 1; panels <= 60; ++panels) {
+    const int columns = balanced_columns(panels, 1), rows = (panels + columns - 1) / columns;
+    EXPECT_LE(empty_cells(panels, columns), std::max(1, 2 * columns / 5)) << panels << " panels in " << columns;
+    EXPECT_GE(columns, rows - 1) << panels;
+    EXPECT_LE(columns, std::max(3, 4 * rows)) << panels;
+  }
+  EXPECT_EQ(balanced_columns(4, 1), 2);
+  EXPECT_EQ(balanced_columns(4, 16.0 / 9), 2);
+  EXPECT_EQ(balanced_columns(4, 0.4), 4);  // tall panels
+  EXPECT_EQ(balanced_columns(6, 1), 3);
+  EXPECT_EQ(balanced_columns(7, 1), 4);
+  EXPECT_EQ(balanced_columns(3, 1), 3);
+}
+
 TEST(ContactSheet, NeedsAPanel) {
   EXPECT_THROW(make_contact_sheet({}), RenderError);
   EXPECT_THROW(make_contact_sheet({{plain(4, 4, 0), ""}}, {0, 1, 1}), RenderError);
