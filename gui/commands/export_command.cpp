@@ -1,12 +1,14 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <set>
 
 #include "engine/files/folder.h"
 #include "engine/files/output_list.h"
 #include "engine/recording/csv.h"
 #include "gui/commands/command.h"
 #include "gui/commands/interrupt.h"
+#include "gui/commands/notes.h"
 #include "gui/commands/options.h"
 #include "gui/commands/progress_line.h"
 #include "gui/commands/recordings.h"
@@ -44,9 +46,16 @@ ExitCode export_series(const Recording& recording, const ExportChoice& choice) {
     };
     return export_vtp(recording, choice.vtp, {}, show, interrupt.token());
   }();
-  if (outcome == RenderOutcome::finished) return ExitCode::ok;
-  say(fmt::format("interrupted; \"{}/{}\" lists the frames that were written", choice.vtp, kSeriesName));
-  return ExitCode::interrupted;
+  if (outcome != RenderOutcome::finished) {
+    say(fmt::format("interrupted; \"{}/{}\" lists the frames that were written", choice.vtp, kSeriesName));
+    return ExitCode::interrupted;
+  }
+  for (const std::string part : {"lines", "bodies"}) {
+    std::set<std::string> files;
+    for (std::size_t i = 0; i < recording.frame_count(); ++i) files.insert(vtp_file_name(part, i));
+    note_older_files(choice.vtp, part + "_", ".vtp", files);
+  }
+  return ExitCode::ok;
 }
 
 ExitCode export_recording(const ExportChoice& choice) {

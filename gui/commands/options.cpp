@@ -25,6 +25,18 @@ std::optional<Number> parse(const std::string& text) {
   return value;
 }
 
+std::vector<std::string> parts_of(const std::string& list) {
+  std::vector<std::string> parts(1);
+  for (const char c : list) {
+    if (c == ',') {
+      parts.emplace_back();
+    } else {
+      parts.back() += c;
+    }
+  }
+  return parts;
+}
+
 void require_ok(const Diagnostics& diagnostics, const std::string& file) {
   if (diagnostics.ok()) return;
   Diagnostics named;
@@ -69,6 +81,43 @@ CLI::Validator number_not_below_zero() {
     return value && std::isfinite(*value) && *value >= 0 ? "" : fmt::format("\"{}\" is not a number from 0", text);
   };
   return {check, "", "number_not_below_zero"};
+}
+
+CLI::Validator number_between(double lowest, double highest) {
+  const auto check = [=](const std::string& text) -> std::string {
+    const auto value = parse<double>(text);
+    if (value && *value >= lowest && *value <= highest) return {};
+    return fmt::format("\"{}\" is not a number from {:g} to {:g}", text, lowest, highest);
+  };
+  return {check, "", "number_between"};
+}
+
+std::vector<double> numbers_of(const std::string& list) {
+  std::vector<double> numbers;
+  for (const std::string& part : parts_of(list)) numbers.push_back(parse<double>(part).value_or(NAN));
+  return numbers;
+}
+
+CLI::Validator list_of_times() {
+  const auto check = [](const std::string& text) -> std::string {
+    for (const std::string& part : parts_of(text)) {
+      if (part.empty()) return fmt::format("\"{}\" has a comma too many", text);
+      const auto value = parse<double>(part);
+      if (!value || !std::isfinite(*value) || *value < 0) return fmt::format("\"{}\" is not a number from 0", part);
+    }
+    return {};
+  };
+  return {check, "", "list_of_times"};
+}
+
+CLI::Validator range_of_numbers() {
+  const auto check = [](const std::string& text) -> std::string {
+    const auto ends = numbers_of(text);
+    const bool numbers = ends.size() == 2 && std::isfinite(ends[0]) && std::isfinite(ends[1]);
+    if (!numbers) return fmt::format("\"{}\" is not two numbers such as 0,50", text);
+    return ends[0] < ends[1] ? "" : "the first value must be below the second";
+  };
+  return {check, "", "range_of_numbers"};
 }
 
 CLI::Validator whole_number(int lowest, int highest) {

@@ -13,7 +13,18 @@ namespace netpocket {
 // Checks for CLI::Option::check; each refuses with a sentence that says what is allowed.
 CLI::Validator positive_number();
 CLI::Validator number_not_below_zero();
+CLI::Validator number_between(double lowest, double highest);
 CLI::Validator whole_number(int lowest, int highest);
+
+// Numbers between commas, such as "0,2.5,5". The check refuses parts that are empty or no numbers from 0.
+std::vector<double> numbers_of(const std::string& list);
+CLI::Validator list_of_times();
+
+// "LOW,HIGH", the first below the second.
+CLI::Validator range_of_numbers();
+
+// Pictures per second.
+inline constexpr double kLowestRate = 0.001, kHighestRate = 1000;
 
 // "1280x720", each side 16 to 16384.
 struct PictureSize {

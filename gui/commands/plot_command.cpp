@@ -4,8 +4,10 @@
 
 #include "engine/files/folder.h"
 #include "engine/files/output_list.h"
+#include "engine/recording/run_labels.h"
 #include "gui/commands/command.h"
 #include "gui/commands/interrupt.h"
+#include "gui/commands/notes.h"
 #include "gui/commands/options.h"
 #include "gui/commands/recordings.h"
 #include "gui/commands/standard_streams.h"
@@ -32,6 +34,7 @@ ExitCode plot(const PlotChoice& choice) {
   const std::vector<Recording> recordings = open_recordings(choice.recordings);
   const std::vector<RunSeries> runs = run_series(pointers(recordings));
   const PlotOptions options{figure_format(choice.format), choice.figures, choice.resolution};
+  note_missing_letters(run_labels(pointers(recordings)));
   make_folder(choice.output);
   OutputList outputs;
   for (const std::string& recording : choice.recordings) outputs.add_input(recording);
@@ -58,7 +61,7 @@ Action declare_plot(CLI::App& app) {
   add_choice(app, "--format", choice->format, "file format", {"png", "svg", "pdf"});
   app.add_option("--dpi", choice->resolution, "dots per inch of PNG figures")
       ->type_name("N")
-      ->check(CLI::Range(20.0, 2400.0))
+      ->check(number_between(20, 2400))
       ->capture_default_str();
   app.footer(figure_list() + R"(
 Examples:

@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
+#include <set>
 
 #include "engine/files/folder.h"
 #include "engine/files/output_list.h"
 #include "engine/files/whole_file.h"
+#include "engine/recording/run_labels.h"
 #include "gui/commands/command.h"
 #include "gui/commands/interrupt.h"
+#include "gui/commands/notes.h"
 #include "gui/commands/options.h"
 #include "gui/commands/progress_line.h"
 #include "gui/commands/recordings.h"
@@ -47,7 +51,7 @@ struct RenderChoice {
   int every = 0;       // 0: not given
   PictureSize size{};  // 0: not given
   PictureSize panel_size{640, 640};
-  int columns = 3;
+  std::optional<int> columns;
   int supersampling = 2;
   std::string camera = "iso", color_by = "none", background = "white", backend = "auto", view_file;
   std::vector<double> color_range;
@@ -113,7 +117,7 @@ SheetOptions sheet_options(const RenderChoice& choice) {
   options.view.frame.scene.time_label = time_label;
   options.view.frame.width = choice.panel_size.width;
   options.view.frame.height = choice.panel_size.height;
-  options.layout.columns = choice.columns;
+  options.columns = choice.columns;
   return options;
 }
 
@@ -133,7 +137,10 @@ void check_times(const Recording& recording, const std::vector<double>& times) {
 
 std::vector<double> picture_times(const Recordings& recordings, const RenderChoice& choice) {
   if (!choice.times.empty()) return choice.times;
-  if (choice.every == 0) return frame_times(recordings, choice.rate);
+  if (choice.every == 0) {
+    require_fewer_pictures(recordings, choice.rate);
+    return frame_times(recordings, choice.rate);
+  }
   std::vector<double> times;
   const auto& recorded = recordings.front()->times();
   for (std::size_t i = 0; i < recorded.size(); i += static_cast<std::size_t>(choice.every)) {
@@ -156,7 +163,12 @@ void render_pictures(const Recordings& recordings, const RenderChoice& choice, c
     line.update(static_cast<double>(p.done) / static_cast<double>(p.total),
                 fmt::format("picture {} of {}, {} left", p.done, p.total, duration_text(p.seconds_left)));
   };
-  render_frames(recordings, picture_times(recordings, choice), render_options(choice), show, stop);
+  const std::vector<double> times = picture_times(recordings, choice);
+  if (render_frames(recordings, times, render_options(choice), show, stop) == RenderOutcome::cancelled) return;
+  if (choice.folder.empty()) return;
+  std::set<std::string> pictures;
+  for (std::size_t i = 0; i < times.size(); ++i) pictures.insert(picture_file_name(i, times.size()));
+  note_older_files(choice.folder, "", ".png", pictures);
 }
 
 void save_view(const Recordings& recordings, const RenderChoice& choice) {
@@ -177,9 +189,6 @@ void check_choice(const RenderChoice& choice) {
   }
   if (choice.resume && choice.folder.empty()) {
     throw CommandError(ExitCode::usage, "--resume needs --output: the pictures that exist are what it goes on from");
-  }
-  if (!choice.color_range.empty() && !(choice.color_range[0] < choice.color_range[1])) {
-    throw CommandError(ExitCode::usage, "--color-range: the first value must be below the second");
   }
   if (!choice.gltf.empty() && (choice.times.size() != 1 || choice.recordings.size() != 1)) {
     throw CommandError(ExitCode::usage, "--gltf needs one recording and one time, such as --times 10");
@@ -212,6 +221,8 @@ ExitCode render(const RenderChoice& choice) {
   const Recordings recordings = pointers(opened);
   for (const auto* recording : recordings) check_times(*recording, choice.times);
   check_outputs(choice);
+  note_missing_letters(recordings.size() > 1 ? run_labels(recordings) : std::vector<std::string>{},
+                       choice.display.title);
   const Interrupt interrupt;
   const std::stop_token stop = interrupt.token();
   if (!choice.saved_view.empty()) save_view(recordings, choice);
@@ -244,15 +255,20 @@ void add_outputs(CLI::App& app, RenderChoice& choice) {
 
 void add_times(CLI::App& app, RenderChoice& choice) {
   const char* const group = "Which moments (at most one)";
-  CLI::Option* times = app.add_option("--times", choice.times, "simulated times, s, such as 0,2.5,5")
-                           ->type_name("T")
-                           ->delimiter(',')
-                           ->allow_extra_args(false)
-                           ->check(number_not_below_zero())
-                           ->group(group);
+  const auto add = [&choice](const std::string& list) {
+    for (const double time : numbers_of(list)) choice.times.push_back(time);
+  };
+  CLI::Option* times =
+      app.add_option_function<std::vector<std::string>>(
+             "--times", [add](const std::vector<std::string>& lists) { std::ranges::for_each(lists, add); },
+             "simulated times, s, such as 0,2.5,5")
+          ->type_name("T")
+          ->allow_extra_args(false)
+          ->check(list_of_times())
+          ->group(group);
   CLI::Option* rate = app.add_option("--fps", choice.rate, "pictures per simulated second, and per second of the video")
                           ->type_name("N")
-                          ->check(positive_number())
+                          ->check(number_between(kLowestRate, kHighestRate))
                           ->group(group);
   CLI::Option* every = app.add_option("--every", choice.every, "every Nth recorded frame")
                            ->type_name("N")
@@ -273,10 +289,9 @@ void add_look(CLI::App& app, RenderChoice& choice) {
          "of a sheet's panels, pixels (default: 640x640)")
       ->type_name("WxH")
       ->check(is_picture_size());
-  app.add_option("--columns", choice.columns, "panels side by side on a sheet")
+  app.add_option("--columns", choice.columns, "panels side by side on a sheet (default: so that the last row is full)")
       ->type_name("N")
-      ->check(whole_number(1, 100))
-      ->capture_default_str();
+      ->check(whole_number(1, 100));
   app.add_option("--supersampling", choice.supersampling, "1: jagged and fastest, to 4: smoothest pictures")
       ->type_name("N")
       ->check(whole_number(1, 4))
@@ -287,11 +302,11 @@ void add_look(CLI::App& app, RenderChoice& choice) {
       ->excludes(app.get_option("--camera"));
   add_choice(app, "--color-by", choice.color_by, "colour of cords and rods",
              {"none", "tension", "strain", "speed", "contact"});
-  app.add_option("--color-range", choice.color_range,
-                 "values at the ends of the colours, SI units (default: by the run)")
+  app.add_option_function<std::string>(
+         "--color-range", [&choice](const std::string& text) { choice.color_range = numbers_of(text); },
+         "values at the ends of the colours, SI units (default: by the run)")
       ->type_name("LOW,HIGH")
-      ->delimiter(',')
-      ->expected(2);
+      ->check(range_of_numbers());
   add_choice(app, "--background", choice.background, "behind the scene", {"white", "space"});
   add_choice(app, "--backend", choice.backend, "OpenGL without a display", {"auto", "osmesa", "egl"});
   app.add_flag("--transparent", choice.transparent, "pictures without a background");
@@ -309,7 +324,7 @@ void add_extras(CLI::App& app, RenderChoice& choice) {
   app.add_flag("--ghost", choice.display.ghost, "the pocket's initial shape")->group(group);
   app.add_option("--target-opacity", choice.display.target_opacity, "0: not seen, 1: solid")
       ->type_name("N")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(number_between(0, 1))
       ->group(group);
 }
 

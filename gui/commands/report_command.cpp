@@ -3,8 +3,10 @@
 #include <memory>
 
 #include "engine/files/output_list.h"
+#include "engine/recording/run_labels.h"
 #include "gui/commands/command.h"
 #include "gui/commands/interrupt.h"
+#include "gui/commands/notes.h"
 #include "gui/commands/options.h"
 #include "gui/commands/progress_line.h"
 #include "gui/commands/recordings.h"
@@ -35,9 +37,11 @@ struct ReportChoice {
 
 ExitCode report(const ReportChoice& choice) {
   const std::vector<Recording> recordings = open_recordings(choice.recordings);
+  if (!choice.no_video) require_fewer_pictures(pointers(recordings), choice.rate);
   OutputList outputs;
   for (const std::string& recording : choice.recordings) outputs.add_input(recording);
   outputs.add("--output", choice.output, FileKind::html);
+  note_missing_letters(run_labels(pointers(recordings)));
   const Interrupt interrupt;
   const ReportOptions options{gl_backend_from_name(choice.backend), !choice.no_video, choice.rate};
   const auto outcome = [&] {
@@ -61,7 +65,7 @@ Action declare_report(CLI::App& app) {
   app.add_option("-o,--output", choice->output, "page to write")->required()->type_name("FILE.html");
   app.add_option("--fps", choice->rate, "pictures of the video per simulated second")
       ->type_name("N")
-      ->check(positive_number())
+      ->check(number_between(kLowestRate, kHighestRate))
       ->capture_default_str();
   app.add_flag("--no-video", choice->no_video, "leave the video out; then ffmpeg is not needed");
   add_choice(app, "--backend", choice->backend, "OpenGL without a display", {"auto", "osmesa", "egl"});

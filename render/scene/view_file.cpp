@@ -13,6 +13,7 @@
 namespace netpocket {
 namespace {
 
+constexpr double kFarthest = 1e6;  // m
 constexpr const char* kKeys = "position, focal_point, view_up, view_angle or half_height";
 
 class ViewReader {
@@ -35,7 +36,9 @@ class ViewReader {
     Eigen::Vector3d vector;
     for (std::size_t i = 0; i < 3; ++i) {
       const auto value = array && array->size() == 3 ? array->get(i)->value<double>() : std::nullopt;
-      if (!value || !std::isfinite(*value)) fail(*node, fmt::format("'{}' must be three numbers", key));
+      if (!value || !(std::abs(*value) <= kFarthest)) {
+        fail(*node, fmt::format("'{}' must be three numbers from {:g} to {:g}", key, -kFarthest, kFarthest));
+      }
       vector[static_cast<Eigen::Index>(i)] = *value;
     }
     return vector;
@@ -62,6 +65,10 @@ class ViewReader {
   std::string name_;
 };
 
+bool are_parallel(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return a.cross(b).norm() < 1e-6 * a.norm() * b.norm();
+}
+
 }  // namespace
 
 CameraView read_view_text(std::string_view text, const std::string& name) try {
@@ -70,13 +77,20 @@ CameraView read_view_text(std::string_view text, const std::string& name) try {
   CameraView view;
   view.position = reader.vector("position");
   view.focal_point = reader.vector("focal_point");
-  if (reader.has("view_up")) view.view_up = reader.vector("view_up");
+  if (reader.has("view_angle") && reader.has("half_height")) {
+    reader.fail("view_angle (perspective) and half_height (parallel projection) contradict each other: give one");
+  }
   if (reader.has("view_angle")) view.view_angle = reader.number("view_angle", 0, 170);
   if (reader.has("half_height")) view.half_height = reader.number("half_height", 0, 1e6);
   const Eigen::Vector3d forward = view.focal_point - view.position;
   if (forward.norm() < 1e-6) reader.fail("position and focal_point must differ");
-  if (forward.cross(view.view_up).norm() < 1e-6 * forward.norm() * view.view_up.norm() || view.view_up.isZero()) {
-    reader.fail("view_up must not point along the line of sight");
+  if (reader.has("view_up")) {
+    view.view_up = reader.vector("view_up");
+    if (view.view_up.isZero()) reader.fail("view_up must not be zero");
+    if (are_parallel(forward, view.view_up)) reader.fail("view_up must not point along the line of sight");
+  } else if (are_parallel(forward, view.view_up)) {
+    // Straight from above or below there is no telling what is up: X runs to the right, as in the preset "front".
+    view.view_up = Eigen::Vector3d::UnitX().cross(forward).normalized();
   }
   return view;
 } catch (const toml::parse_error& error) {

@@ -85,6 +85,34 @@ TEST(Findings, JsonHasElevenForEachRun) {
   }
 }
 
+TEST(Findings, RunsOfOneNameSayWhatDiffers) {
+  const TestFolder folder;
+  std::vector<std::string> arguments = {"findings"};
+  for (const std::string radius : {"4.1", "4.2"}) {
+    arguments.push_back(folder.file(radius + ".h5"));
+    expect_ok({"run", scenario_file("case1.toml"), "-o", arguments.back(), "--until", "0.02", "--quiet", "--set",
+               "target.radius=" + radius});
+  }
+  const auto result = run_program(arguments);
+  ASSERT_EQ(result.exit_code, 0) << result.error;
+  EXPECT_NE(result.out.find("case1, target.radius = 4.1"), result.out.npos) << result.out;
+  EXPECT_NE(result.out.find("case1, target.radius = 4.2"), result.out.npos) << result.out;
+}
+
+TEST(Export, OlderFilesAreMentioned) {
+  const TestFolder folder;
+  const std::string longer = short_recording(folder), shorter = folder.file("shorter.h5");
+  expect_ok({"run", scenario_file("case1.toml"), "-o", shorter, "--until", "0.06", "--quiet"});
+  expect_ok({"export", longer, "--vtp", folder.file("vtp"), "--quiet"});
+  const auto again = run_program({"export", shorter, "--vtp", folder.file("vtp"), "--quiet"});
+  EXPECT_EQ(again.exit_code, 0);
+  for (const char* part : {"lines", "bodies"}) {
+    EXPECT_NE(again.error.find(fmt::format("also holds 2 older files, {0}_0004.vtp to {0}_0005.vtp", part)),
+              std::string::npos)
+        << again.error;
+  }
+}
+
 TEST(Export, CsvHasARowForEachFrame) {
   const TestFolder folder;
   expect_ok({"export", short_recording(folder), "--csv", folder.file("new/folder")});

@@ -22,11 +22,13 @@
 #include <regex>
 #include <sstream>
 
+#include "engine/recording/recorder.h"
 #include "render/gl/hosted_render_window.h"
 #include "render/output/png_file.h"
 #include "tests/gui/program.h"
 #include "tests/pictures/made_up_recordings.h"
 #include "tests/pictures/picture_comparison.h"
+#include "tests/render/synthetic_pocket.h"
 
 namespace netpocket::pictures {
 namespace {
@@ -167,12 +169,144 @@ TEST_F(Rendering, BadViewsAreOneSentence) {
   bad("position = [1, 2]\nfocal_point = [0, 0, 0]\n", "line 1: 'position' must be three numbers");
   bad("position = [1, 2, 3]\n", "'focal_point' is missing");
   bad("position = [1, 2, 3]\nfocal_point = [1, 2, 3]\n", "must differ");
-  bad("position = [0, 9, 0]\nfocal_point = [0, 0, 0]\n", "view_up");
+  bad("position = [0, 9, 0]\nfocal_point = [0, 0, 0]\nview_up = [0, 1, 0]\n", "view_up must not point along");
+  bad("position = [0, 9, 0]\nfocal_point = [0, 0, 0]\nview_up = [0, 0, 0]\n", "view_up must not be zero");
+  bad("position = [1e9, 9, 0]\nfocal_point = [0, 0, 0]\n", "from -1e+06 to 1e+06");
+  bad("position = [1, 2, 3]\nfocal_point = [0, 0, 0]\nview_angle = 30\nhalf_height = 9\n", "contradict each other");
   bad("position = [1, 2, 3]\nfocal_point = [0, 0, 0]\nzoom = 2\n", "line 3: unknown key 'zoom'");
   bad("position = [1, 2, 3]\nfocal_point = [0, 0, 0]\nview_angle = 180\n", "between 0 and 170");
   bad("position = \n", "line 1");
   expect_one_sentence(render({"-o", folder_.file("out"), "--view", folder_.file("none.toml")}, 3),
                       "cannot read the view");
+}
+
+// Without an up of its own it is the one with which the preset "front" looks along the pocket's axis.
+TEST_F(Rendering, StraightFromAboveNeedsNoUp) {
+  const auto view = folder_.file("front.toml");
+  render({"-o", folder_.file("front"), "--times", "6", "--size", "320x240", "--camera", "front", "--save-view", view});
+  const auto without_up = std::regex_replace(content(view), std::regex("view_up[^\n]*\n"), "");
+  ASSERT_NE(without_up, content(view));
+  render({"-o", folder_.file("own"), "--times", "6", "--size", "320x240", "--view",
+          folder_.write("own.toml", without_up)});
+  EXPECT_TRUE(
+      equal_enough(compare_pictures(read_png(folder_.file("front/0000.png")), read_png(folder_.file("own/0000.png")))));
+}
+
+TEST_F(Rendering, NumbersWithoutSenseAreRefused) {
+  const std::vector<std::string> picture = {"-o", folder_.file("out"), "--size", "64x64"};
+  const auto bad = [&](const std::string& option, const std::string& value, const std::string& part) {
+    auto options = picture;
+    options.insert(options.end(), {option, value});
+    expect_one_sentence(render(options, 2), part);
+    EXPECT_FALSE(fs::exists(folder_.file("out"))) << option << " " << value;
+  };
+  for (const char* rate : {"1e9", "1e300", "1e-9", "nan", "inf", "0"}) bad("--fps", rate, "from 0.001 to 1000");
+  for (const char* opacity : {"nan", "1.01", "-0.1"}) bad("--target-opacity", opacity, "from 0 to 1");
+  bad("--times", "0,,0.5", "a comma too many");
+  bad("--times", "0,0.5,", "a comma too many");
+  bad("--times", "0,nan", "\"nan\" is not a number from 0");
+  for (const char* range : {"0", "0,inf", "nan,1", "0,1,2"}) bad("--color-range", range, "two numbers");
+  bad("--color-range", "2,1", "the first value must be below the second");
+  EXPECT_EQ(render({"-o", folder_.file("out"), "--size", "64x64", "--times", "0,5", "--times", "6"}), "");
+  EXPECT_TRUE(fs::exists(folder_.file("out/0002.png")));
+}
+
+// The rate is in bounds, the pictures of a long run are too many.
+TEST_F(Rendering, CountsOfPicturesAreBounded) {
+  const auto structure = synthetic::make_structure();
+  {
+    Recorder recorder(run_, {}, structure, true);
+    for (const double time : {0, 200}) recorder.write(synthetic::make_snapshot(structure, time, 0));
+    recorder.finish({RunReason::finished, 200, ""}, {});
+  }
+  expect_one_sentence(render({"-o", folder_.file("out"), "--fps", "1000", "--size", "64x64"}, 2), "pictures");
+  const auto report = run_program({"report", run_, "-o", folder_.file("r.html"), "--fps", "1000", "--quiet"});
+  EXPECT_EQ(report.exit_code, 2);
+  expect_one_sentence(report.error, "pictures");
+}
+
+TEST_F(Rendering, OlderPicturesAreMentioned) {
+  const auto out = folder_.file("out");
+  EXPECT_EQ(render({"-o", out, "--times", "0,2,4,6", "--size", "64x64"}), "");
+  expect_one_sentence(render({"-o", out, "--times", "0,2", "--size", "64x64"}),
+                      "also holds 2 older files, 0002.png to 0003.png");
+  fs::remove(out + "/0002.png");
+  folder_.write("out/12345.jpg", "");
+  expect_one_sentence(render({"-o", out, "--times", "0,2", "--size", "64x64"}), "also holds 1 older file, 0003.png:");
+}
+
+// Ink of a picture's columns from `left` on, in its upper fifth.
+int dark_pixels(const Image& image, int left) {
+  int count = 0;
+  for (int y = 0; y < image.height / 5; ++y) {
+    for (int x = left; x < image.width; ++x) count += image.rgb[y * image.row_bytes() + 3 * x] < 128;
+  }
+  return count;
+}
+
+TEST_F(Rendering, LongTitlesKeepWithinThePicture) {
+  const std::string title = "A title that goes on and on, as titles do that name every setting of a study, one by one";
+  const auto drawn = [&](const std::string& text) {
+    EXPECT_EQ(render({"-o", folder_.file("out"), "--times", "0", "--size", "480x480", "--title", text}), "");
+    return read_png(folder_.file("out/0000.png"));
+  };
+  const auto image = drawn(title);
+  EXPECT_GT(dark_pixels(image, 380), 0) << "it uses the width there is";
+  EXPECT_EQ(dark_pixels(image, 480 - 12), 0) << "it runs off the picture";
+  EXPECT_GT(dark_pixels(image, 0), dark_pixels(drawn("A title"), 0));
+}
+
+TEST_F(Rendering, LettersThatNoFontHasAreNamed) {
+  const std::vector<std::string> picture = {"-o", folder_.file("out"), "--times", "0", "--size", "64x64", "--title"};
+  const auto with = [&](const std::string& title) {
+    auto options = picture;
+    options.push_back(title);
+    return render(options);
+  };
+  expect_one_sentence(with("Probe \U0010FFFD"), "no installed font has all letters");
+  EXPECT_EQ(with("Gr\u00F6\u00DFe \u2900"), "") << "another font has it";
+}
+
+// What desktops set: fonts of the user's choice, their smoothing, languages, scales.
+TEST_F(Rendering, NothingDependsOnTheMachinesSettings) {
+  write_pocket_recording(folder_.file("second.h5"), "other");
+  const auto draw = [&](const std::string& name) {
+    fs::create_directory(folder_.file(name));
+    render({folder_.file("second.h5"), "-o", folder_.file(name), "--times", "6", "--size", "320x240", "--sheet",
+            folder_.file(name + "/sheet.png"), "--panel-size", "160x160", "--title", "Settings", "--arrows"});
+    for (const char* format : {"png", "svg", "pdf"}) {
+      const auto plot =
+          run_program({"plot", run_, "-o", folder_.file(name), "--format", format, "--figure", "figure05_force"});
+      EXPECT_EQ(plot.exit_code, 0) << plot.error;
+    }
+  };
+  draw("plain");
+  fs::create_directories(folder_.file("config/fontconfig"));
+  folder_.write("config/fontconfig/fonts.conf", R"(<?xml version="1.0"?>
+<fontconfig>
+  <match target="pattern">
+    <edit name="family" mode="assign" binding="strong"><string>DejaVu Serif</string></edit>
+  </match>
+  <match target="font">
+    <edit name="antialias" mode="assign"><bool>false</bool></edit>
+    <edit name="hintstyle" mode="assign"><const>hintfull</const></edit>
+    <edit name="rgba" mode="assign"><const>rgb</const></edit>
+  </match>
+</fontconfig>
+)");
+  {
+    const Variable config("XDG_CONFIG_HOME", folder_.file("config")), scale("QT_SCALE_FACTOR", "2"),
+        language("LC_ALL", "de_DE.UTF-8"), theme("GTK_THEME", "Adwaita:dark"), platform("QT_QPA_PLATFORMTHEME", "gtk3");
+    draw("desktop");
+  }
+  for (const char* name : {"0000.png", "sheet.png", "figure05_force.png", "figure05_force.svg"}) {
+    EXPECT_TRUE(content(folder_.file(std::string("plain/") + name)) ==
+                content(folder_.file(std::string("desktop/") + name)))
+        << name;
+  }
+  // Of a PDF the date differs; its size would not stay with another font.
+  EXPECT_NEAR(static_cast<double>(fs::file_size(folder_.file("plain/figure05_force.pdf"))),
+              static_cast<double>(fs::file_size(folder_.file("desktop/figure05_force.pdf"))), 8);
 }
 
 // Each thing whose absence the program must explain; the last resort of the loader is a file that is no library.
