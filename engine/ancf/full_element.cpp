@@ -1,5 +1,8 @@
 #include "engine/ancf/full_element.h"
 
+#include <algorithm>
+#include <limits>
+
 #include "engine/ancf/quadrature.h"
 #include "engine/ancf/shape_functions.h"
 #include "engine/ancf/strain_measure.h"
@@ -75,6 +78,17 @@ void add_tangent(ElementTangent& tangent, const NodalWeights& left, const Eigen:
 double FullElement::tension(double xi, const ElementCoordinates& q, const ElementCoordinates& velocity) const {
   const AxialForce axial(Slope(xi, span_, q, velocity), section_, options_.measure);
   return axial.elastic + axial.damping;
+}
+
+FullElement::Stretching FullElement::stretching(const ElementCoordinates& q, const ElementCoordinates& velocity) const {
+  Stretching mean{.largest_strain = -std::numeric_limits<double>::infinity()};
+  for (const auto& [xi, weight] : kGauss5) {
+    const AxialForce axial(Slope(xi, span_, q, velocity), section_, options_.measure);
+    mean.strain += 0.5 * weight * axial.strain.value;
+    mean.tension += 0.5 * weight * (axial.elastic + axial.damping);
+    mean.largest_strain = std::max(mean.largest_strain, axial.strain.value);
+  }
+  return mean;
 }
 
 double FullElement::axial_energy(const ElementCoordinates& q) const {

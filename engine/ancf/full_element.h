@@ -47,6 +47,13 @@ class FullElement {
   // Derivative of the elastic force, exact and symmetric.
   ElementTangent tangent(const ElementCoordinates& q) const;
 
+  // Means over the points at which stretching is evaluated, of what these forces follow.
+  struct Stretching {
+    double strain = 0;
+    double largest_strain = 0;  // of any of the points
+    double tension = 0;         // N, negative in compression
+  };
+  Stretching stretching(const ElementCoordinates& q, const ElementCoordinates& velocity) const;
   // Power that damping turns into heat, >= 0. W
   double dissipated_power(const ElementCoordinates& q, const ElementCoordinates& velocity) const;
   // Power that the change of material length puts into the element against its internal force, so that

@@ -269,10 +269,11 @@ StableStep CableSystem::stable_step() {
 double CableSystem::stable_step_as_bent(const StableStep& straight) {
   constexpr double kOverlap = 0.25;
   Impl& s = *impl_;
-  if (s.consistent_mass || straight.stiffness == 0) return straight.step;
+  if (straight.stiffness == 0) return straight.step;
   s.update_ropes();
   if (s.step_of_states != s.steps) s.compute_states();
   struct Largest {
+  if (s.consistent_mass) return s.stable_step_as_stretched(straight);
     double of_bends = 0, strain = 0;
   };
   using Row = Eigen::Array<double, kBlockSize, 1>;

@@ -77,7 +77,7 @@ class CableSystem {
   // Largest stable step at the present rope lengths, without a safety factor.
   StableStep stable_step();
   // The same (s) with what the present bends and tensions of the cables add to the stiffness; `straight`: stable_step()
-  // at about these rope lengths. With the full evaluation it is straight.step.
+  // at about these rope lengths.
   double stable_step_as_bent(const StableStep& straight);
   // One step of `dt` (s). Steps may differ in size; large jumps cost accuracy.
   void step(double dt);

@@ -37,9 +37,15 @@ double CableSystem::Impl::resisted(std::size_t element, std::size_t row) const {
 }
 
 double CableSystem::Impl::tension(std::size_t element) const {
+  if (options.evaluation == ElementEvaluation::full) return full_stretching(element).tension;
   const CableSection& section = model.material_of(static_cast<std::int32_t>(element)).section;
   const double strain = resisted(element, kStrain);
   return section.axial_stiffness(strain) * (strain + section.axial_damping * resisted(element, kStrainRate));
+}
+
+double CableSystem::Impl::strain(std::size_t element) const {
+  if (options.evaluation == ElementEvaluation::full) return full_stretching(element).strain;
+  return element_state(element, kStrain);
 }
 
 double CableSystem::Impl::strain_energy_of(std::size_t first, std::size_t last) const {
@@ -188,7 +194,7 @@ EnergyAudit CableSystem::capture(Snapshot& snapshot) {
   snapshot.strain.resize(static_cast<Eigen::Index>(s.model.elements.size()));
   for (std::size_t i = 0; i < s.model.elements.size(); ++i) {
     snapshot.tension[static_cast<Eigen::Index>(i)] = s.tension(i);
-    snapshot.strain[static_cast<Eigen::Index>(i)] = s.element_state(i, kStrain);
+    snapshot.strain[static_cast<Eigen::Index>(i)] = s.strain(i);
   }
   snapshot.rope_element_length.clear();
   for (std::int32_t rope = 0; rope < s.ropes.rope_count(); ++rope) {

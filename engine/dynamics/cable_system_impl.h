@@ -3,8 +3,10 @@
 //   cable_system.cpp         set-up, state, questions
 //   cable_system_step.cpp    forces and the step
 //   cable_system_energy.cpp  energies, audit, snapshots
+//   cable_system_full.cpp    what the full evaluation asks its elements one by one
 
 #include "engine/ancf/full_batch.h"
+#include "engine/ancf/full_element.h"
 #include "engine/bodies/sector_sum.h"
 #include "engine/dynamics/applied_forces.h"
 #include "engine/dynamics/assembly.h"
@@ -151,6 +153,9 @@ struct CableSystem::Impl {
   template <typename Squares>
   double lumped_energy(const Squares& squares);
   double kinetic_energy(const SlotVectors& velocity);
+  double strain(std::size_t element) const;
+  FullElement::Stretching full_stretching(std::size_t element) const;
+  double stable_step_as_stretched(const StableStep& straight);
   double unresolved_energy(const SlotVectors& velocity);
   double load_work() const;
   EnergyAudit audit();

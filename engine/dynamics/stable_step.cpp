@@ -193,8 +193,8 @@ std::vector<HingeShare> hinge_shares(const Model& model) {
 
 // Smallest stable step over the modes of one free element, from its tangents without and with bending stiffness and its
 // mass matrix, which acts on each component alike.
-double smallest_over_modes(const CableSection& section, const ElementTangent& axial, const ElementTangent& bending,
-                           const Eigen::Matrix4d& mass, const HingeShare& hinges) {
+StableStep smallest_over_modes(const CableSection& section, const ElementTangent& axial, const ElementTangent& bending,
+                               const Eigen::Matrix4d& mass, const HingeShare& hinges) {
   const auto by_component = [](const Eigen::Vector4d& by_corner) {
     return by_corner.transpose().replicate<3, 1>().reshaped().eval();
   };
@@ -205,20 +205,22 @@ double smallest_over_modes(const CableSection& section, const ElementTangent& ax
   ElementTangent stiffness = axial + bending;
   stiffness.diagonal() += by_component(hinges.stiffness);
   const Eigen::GeneralizedSelfAdjointEigenSolver<ElementTangent> modes(stiffness, mass_matrix);
-  double step = std::numeric_limits<double>::infinity();
+  StableStep smallest{.step = std::numeric_limits<double>::infinity()};
   for (int i = 0; i < 12; ++i) {
     const auto mode = modes.eigenvectors().col(i);
-    const double damping = section.axial_damping * mode.dot(axial * mode) +
-                           section.bending_damping * mode.dot(bending * mode) +
-                           mode.dot(by_component(hinges.damping).cwiseProduct(mode));
-    step = std::min(step, stable_step_of_mode(modes.eigenvalues()[i], std::max(damping, 0.0)));
+    const double damping =
+        std::max(section.axial_damping * mode.dot(axial * mode) + section.bending_damping * mode.dot(bending * mode) +
+                     mode.dot(by_component(hinges.damping).cwiseProduct(mode)),
+                 0.0);
+    const double square = modes.eigenvalues()[i], step = stable_step_of_mode(square, damping);
+    if (step < smallest.step) smallest = {.step = step, .stiffness = square, .damping = damping};
   }
-  return step;
+  return smallest;
 }
 
 template <typename Element>
-double stable_step_of_element(const CableSection& section, double length, const Eigen::Matrix4d& mass,
-                              const ElementCoordinates& q, const HingeShare& hinges = {}) {
+StableStep stable_step_of_element(const CableSection& section, double length, const Eigen::Matrix4d& mass,
+                                  const ElementCoordinates& q, const HingeShare& hinges = {}) {
   CableSection axial = section, bending = section;
   axial.EI = 0;
   bending.EA = 0;
@@ -240,24 +242,38 @@ StableStep find_stable_step_of_full_elements(const Model& model, std::span<const
     section.compression = 1;  // what is slack now may be taut later
     Eigen::Matrix4d mass = consistent_mass(section.mass_per_length, elements[i].length);
     if (lumped[i] != 0) mass = lumped_mass(section.mass_per_length, elements[i].length).asDiagonal();
-    const double step = stable_step_of_element<FullElement>(section, elements[i].length, mass, q, hinges[i]);
-    if (step < result.step) {
-      result = {.step = step, .limit = StepLimit::full_element, .thread = model.elements[i].thread};
-    }
+    const StableStep own = stable_step_of_element<FullElement>(section, elements[i].length, mass, q, hinges[i]);
+    if (own.step >= result.step) continue;
+    result = own;
+    result.limit = StepLimit::full_element;
+    result.thread = model.elements[i].thread;
   }
   return result;
 }
+
+namespace {
+
+template <typename Element>
+double stable_step_of_straight_lumped_element(const CableSection& section, double length) {
+  ElementCoordinates straight = ElementCoordinates::Zero();
+  straight(0, 1) = straight(0, 3) = 1;
+  straight(0, 2) = length;
+  const Eigen::Matrix4d mass = lumped_mass(section.mass_per_length, length).asDiagonal();
+  return stable_step_of_element<Element>(section, length, mass, straight).step;
+}
+
+}  // namespace
 
 double stable_step_of_lumped_element(const CableSection& single, double length, bool paired) {
   CableSection section = single;
   // Of a free pair, the mode that stretches both elements alike has half the square frequency of a single one, the
   // other one kPairVariation times that of a single one.
   if (paired) section.EA *= std::max(0.5, kPairVariation);
-  ElementCoordinates straight = ElementCoordinates::Zero();
-  straight(0, 1) = straight(0, 3) = 1;
-  straight(0, 2) = length;
-  return stable_step_of_element<MeanStrainElement>(section, length,
-                                                   lumped_mass(section.mass_per_length, length).asDiagonal(), straight);
+  return stable_step_of_straight_lumped_element<MeanStrainElement>(section, length);
+}
+
+double stable_step_of_lumped_full_element(const CableSection& section, double length) {
+  return stable_step_of_straight_lumped_element<FullElement>(section, length);
 }
 
 }  // namespace netpocket

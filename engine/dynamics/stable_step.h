@@ -24,7 +24,7 @@ struct StableStep {
   double step;  // s
   StepLimit limit = StepLimit::nothing;
   std::int32_t thread = 0;  // in which the limiting mode takes most energy
-  // Of the limiting mode, with the mean-strain evaluation: w^2 (1/s^2) and d (1/s).
+  // Of the limiting mode: w^2 (1/s^2) and d (1/s).
   double stiffness = 0, damping = 0;
 };
 
@@ -46,5 +46,9 @@ StableStep find_stable_step_of_full_elements(const Model& model, std::span<const
 // Stable step (s) of a straight mean-strain element of `length` (m) by itself, with lumped mass: a bound for a chain of
 // equal ones, in which every node has two neighbours and twice the mass. `paired`: a chain of pairs (strain_pair.h).
 double stable_step_of_lumped_element(const CableSection& section, double length, bool paired);
+
+// The same of a full element with lumped mass, such as those of ropes whose length changes. Its strain at five points
+// acts on the light slopes, so that it is far stiffer than the mean-strain one.
+double stable_step_of_lumped_full_element(const CableSection& section, double length);
 
 }  // namespace netpocket

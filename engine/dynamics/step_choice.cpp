@@ -39,7 +39,6 @@ void visit_integer(const std::function<void(double&)>& visit, int& integer, int 
 StepChoice::StepChoice(CableSystem& system)
     : system_(system),
       model_(system.model()),
-      follows_shape_(system.evaluation() == ElementEvaluation::mean_strain),
       bound_(system.stable_step()),
       bound_length_(model_.ropes.front().motion(0).length) {}
 
@@ -50,20 +49,25 @@ void StepChoice::find_rope_step(double length) {
   const int length_class =
       static_cast<int>(std::floor(logarithm(length / static_cast<double>(rope.elements.size())) / logarithm(kRatio)));
   if (length_class == std::exchange(length_class_, length_class)) return;
+  const CableSection& section = model_.material_of(rope.elements.front()).section;
+  const double element_length = power(kRatio, length_class);
+  if (system_.evaluation() == ElementEvaluation::full) {
+    rope_step_ = stable_step_of_lumped_full_element(section, element_length);
+    return;
+  }
   const bool paired = std::ranges::all_of(rope.elements, [&](std::int32_t i) { return model_.elements[i].mate >= 0; });
-  rope_step_ = stable_step_of_lumped_element(model_.material_of(rope.elements.front()).section,
-                                             power(kRatio, length_class), paired);
+  rope_step_ = stable_step_of_lumped_element(section, element_length, paired);
 }
 
 double StepChoice::stable_step(const std::function<RopeMotion(double)>& winding, double end) {
   const double length = winding(system_.time()).length;
-  if (follows_shape_ && (length < kChange * bound_length_ || kChange * length > bound_length_)) {
+  if (length < kChange * bound_length_ || kChange * length > bound_length_) {
     bound_ = system_.stable_step();
     bound_length_ = length;
   }
   find_rope_step(std::min(length, winding(end).length));
   const double now = part_left(), least = std::min(now, least_left_), most = std::max(now, most_left_);
-  watches_ = follows_shape_ && most > kSteady * least;
+  watches_ = most > kSteady * least;
   const double left = watches_ ? least : now;
   least_left_ = most_left_ = now;
   cause_ = rope_step_ < bound_.step ? Cause::ropes : left < kNotable ? Cause::bends : Cause::cables;

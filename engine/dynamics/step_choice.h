@@ -65,7 +65,6 @@ class StepChoice {
 
   CableSystem& system_;
   const Model& model_;
-  bool follows_shape_;                                  // the mean-strain evaluation does
   StableStep bound_;                                    // of straight cables, at the rope length:
   double bound_length_;                                 // m
   int length_class_ = std::numeric_limits<int>::max();  // for which rope_step_ holds

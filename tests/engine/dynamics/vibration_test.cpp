@@ -4,6 +4,7 @@
 
 #include "engine/ancf/full_element.h"
 #include "engine/ancf/mass.h"
+#include "engine/dynamics/stable_step.h"
 #include "tests/engine/dynamics/models.h"
 #include "tests/engine/verification_table.h"
 
@@ -218,6 +219,69 @@ TEST_F(VerificationDynamics, StableStepIsSharp) {
       }
     }
   }
+}
+
+// Ropes whose length may change carry lumped mass, full elements too: their bound is that of one element by itself.
+TEST_F(VerificationDynamics, StepOfFullRopesIsSharp) {
+  CableMaterial material = net_cord();
+  for (const double damping : {0.0, 1e-4}) {
+    material.section.axial_damping = damping;
+    const auto survives = [&](double factor) {
+      Cable cable = straight_cable(material, {0, 0, 0}, {4, 0, 0}, 40);
+      cable.model.ropes.push_back({cable.elements, [](double) { return RopeMotion{4, 0, 0}; }});
+      for (std::size_t i = 0; i < cable.nodes.size(); ++i) {
+        cable.model.nodes[cable.nodes[i]].velocity = Eigen::Vector3d(i % 2, i % 3, i % 5) * 1e-6;
+      }
+      CableSystem system(cable.model, {.evaluation = ElementEvaluation::full});
+      const double step = stable_step_of_lumped_full_element(material.section, 0.1);
+      EXPECT_NEAR(system.stable_step().step, step, 1e-9 * step);
+      for (int i = 0; i < 4000; ++i) system.step(factor * step);
+      return !system.fault() && system.audit().kinetic < 1e-9;
+    };
+    EXPECT_TRUE(survives(0.99)) << damping;
+    EXPECT_FALSE(survives(1.04)) << damping;
+  }
+}
+
+// What a snapshot holds of full elements is of their own law: means over their Gauss points, with the compression of
+// their material. A bent element's mean strain is another one.
+TEST_F(VerificationDynamics, SnapshotsHoldTheFullLaw) {
+  CableMaterial material = net_cord();
+  material.section.compression = 0.25;
+  material.section.axial_damping = 1e-4;
+  Cable cable = straight_cable(material, {0, 0, 0}, {1, 0, 0}, 1);
+  cable.model.gradients[0].value = {0.8, 0.5, 0};
+  cable.model.gradients[1].value = {1.1, -0.3, 0.2};
+  cable.model.gradients[1].rate = {0.5, 0.2, 0};
+  cable.model.nodes[cable.nodes[1]].velocity = {-0.4, 0, 0.3};
+  CableSystem system(cable.model, {.evaluation = ElementEvaluation::full});
+  Snapshot snapshot;
+  system.capture(snapshot);
+  const std::array<std::pair<double, double>, 5> gauss = {{{0, 0.568888888888889},
+                                                           {0.538469310105683, 0.478628670499366},
+                                                           {-0.538469310105683, 0.478628670499366},
+                                                           {0.906179845938664, 0.236926885056189},
+                                                           {-0.906179845938664, 0.236926885056189}}};
+  double strain = 0, tension = 0;
+  bool stretched = false, compressed = false;
+  for (const auto& [xi, weight] : gauss) {
+    // Slopes of the Hermite functions, length 1 m.
+    const double g1 = (3 * xi * xi - 2 * xi - 1) / 4, g2 = (3 * xi * xi + 2 * xi - 1) / 4, r = 1.5 * (1 - xi * xi);
+    const auto slope = [&](const Eigen::Vector3d& between, const Eigen::Vector3d& first,
+                           const Eigen::Vector3d& second) {
+      return Eigen::Vector3d(r * between + g1 * first + g2 * second);
+    };
+    const Eigen::Vector3d a = slope({1, 0, 0}, {0.8, 0.5, 0}, {1.1, -0.3, 0.2});
+    const Eigen::Vector3d rate = slope({-0.4, 0, 0.3}, {0, 0, 0}, {0.5, 0.2, 0});
+    const double eps = 0.5 * (a.squaredNorm() - 1);
+    const double stiffness = material.section.EA * (eps < 0 ? 0.25 : 1);
+    (eps < 0 ? compressed : stretched) = true;
+    strain += 0.5 * weight * eps;
+    tension += 0.5 * weight * stiffness * (eps + 1e-4 * a.dot(rate));
+  }
+  ASSERT_TRUE(stretched && compressed);
+  EXPECT_NEAR(snapshot.strain[0], strain, 1e-12);
+  EXPECT_NEAR(snapshot.tension[0], tension, 1e-10 * std::abs(tension) + 1e-6);
 }
 
 TEST_F(VerificationDynamics, EnergyAuditClosesWithDamping) {
