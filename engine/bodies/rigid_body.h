@@ -80,9 +80,10 @@ class RigidBody {
 
   double kinetic_energy() const;  // J, of translation and rotation
 
- private:
-  // I^-1 v in world axes.
+  // I^-1 v in world axes: of an angular impulse (N m s), the change of the angular velocity.
   Eigen::Vector3d apply_inverse_inertia(const Eigen::Vector3d& v) const;
+
+ private:
   void turn_freely(double dt);
   void turn_about_principal_axis(int axis, double dt);
   void turn_about_angular_momentum(double dt);

@@ -90,6 +90,7 @@ CableSystem::Impl::Impl(Model&& source, const SystemOptions& opts)
   controls.resize(bodies.size());
   wrenches.resize(bodies.size());
   impulses.assign(bodies.size(), Eigen::Vector3d::Zero());
+  body_impulses = impulses;
   if (model.contact.cords) cord_contacts = std::make_unique<CordContact>(model, layout, coordinates, inverse_mass);
   set_constant_loads();
   if (options.evaluation == ElementEvaluation::full) {
@@ -97,6 +98,7 @@ CableSystem::Impl::Impl(Model&& source, const SystemOptions& opts)
     unit_mass.assign(layout.size(), 1.0);
     forces = SlotVectors(layout.size());
   }
+  if (model.contact.bodies && bodies.size() > 1) body_contacts = std::make_unique<BodyContact>(model, bodies);
   begin_accounts();
 }
 
@@ -271,9 +273,9 @@ double CableSystem::stable_step_as_bent(const StableStep& straight) {
   Impl& s = *impl_;
   if (straight.stiffness == 0) return straight.step;
   s.update_ropes();
+  if (s.consistent_mass) return s.stable_step_as_stretched(straight);
   if (s.step_of_states != s.steps) s.compute_states();
   struct Largest {
-  if (s.consistent_mass) return s.stable_step_as_stretched(straight);
     double of_bends = 0, strain = 0;
   };
   using Row = Eigen::Array<double, kBlockSize, 1>;
@@ -361,6 +363,8 @@ void CableSystem::displace(std::span<const Eigen::Vector3d> displacements) {
 void CableSystem::control(std::int32_t body, const BodyControl& control) {
   impl_->controls[body] = control;
   impl_->step_of_audit = -1;
+  // Bodies in contact meet each other as controls move them.
+  if (impl_->body_contacts && impl_->body_contacts->count() > 0) impl_->forget_forces();
 }
 void CableSystem::set_rope_motion(const std::function<RopeMotion(double)>& motion) {
   impl_->ropes.set_motion(motion);
@@ -376,9 +380,22 @@ void CableSystem::set_friction(double coefficient) {
   impl_->forget_forces();
   impl_->contacts.set_friction(coefficient);
   if (impl_->cord_contacts) impl_->cord_contacts->set_friction(coefficient);
+  if (impl_->body_contacts) impl_->body_contacts->set_friction(coefficient);
 }
 
 const Eigen::Vector3d& CableSystem::contact_impulse(std::int32_t body) const { return impl_->impulses[body]; }
+const Eigen::Vector3d& CableSystem::body_contact_impulse(std::int32_t body) const { return impl_->body_impulses[body]; }
+BodyContactSum CableSystem::body_contacts() const {
+  if (!impl_->body_contacts) return {};
+  const BodyContact& contacts = *impl_->body_contacts;
+  const BodyContact::Power power = contacts.power(impl_->bodies);
+  return {contacts.count(),
+          contacts.total_normal_force(),
+          contacts.deepest_penetration(),
+          contacts.stored_energy(),
+          power.damping,
+          power.friction};
+}
 CordContactSum CableSystem::cord_contacts() const {
   if (!impl_->cord_contacts) return {};
   return {impl_->cord_contacts->count(), impl_->cord_contacts->total_normal_force()};
@@ -431,6 +448,10 @@ void CableSystem::visit_state(const std::function<void(double&)>& visit) {
   }
   for (BodyControl& control : s.controls) control.visit_state(visit_number);
   for (Eigen::Vector3d& impulse : s.impulses) visit_vector(impulse);
+  if (s.body_contacts) {
+    for (Eigen::Vector3d& impulse : s.body_impulses) visit_vector(impulse);
+    s.body_contacts->visit_state(visit);
+  }
   double steps = static_cast<double>(s.steps);
   double reference_step = s.reference_step;
   for (double* value :

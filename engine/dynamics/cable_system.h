@@ -61,6 +61,15 @@ struct CordContactSum {
   double normal_force = 0;  // N, sum over these
 };
 
+// Of rigid bodies that touch each other.
+struct BodyContactSum {
+  int count = 0;                                 // places
+  double normal_force = 0;                       // N, sum over these
+  double penetration = 0;                        // m, the deepest
+  double stored = 0;                             // J, in their springs
+  double damping_power = 0, friction_power = 0;  // W, taken out of the motion at the present velocities
+};
+
 class CableSystem {
  public:
   explicit CableSystem(Model model, const SystemOptions& options = {});
@@ -104,8 +113,12 @@ class CableSystem {
   // Wrinkling moment (N m) of the rods of a material. The change of their energy counts as work put in.
   void set_wrinkling_moment(std::int32_t material, double moment);
 
-  // Impulse (N s) that contact has given to a body since the start.
+  // Impulse (N s) that contact with cables has given to a body since the start.
   const Eigen::Vector3d& contact_impulse(std::int32_t body) const;
+  // Impulse (N s) that contact with other bodies has given to a body since the start.
+  const Eigen::Vector3d& body_contact_impulse(std::int32_t body) const;
+  // Contacts of bodies with each other in the last step.
+  BodyContactSum body_contacts() const;
   // Contacts of cords with each other in the last step.
   CordContactSum cord_contacts() const;
   // Deepest penetration (m) since the previous call.

@@ -136,7 +136,9 @@ EnergyAudit CableSystem::Impl::audit() {
   result.unresolved = unresolved_energy(velocity);
   result.strain = strain_energy();
   const contact_kernel::ContactPower power = contact_power();
-  result.contact = contacts.stored_energy() + (cord_contacts ? cord_contacts->stored_energy() : 0);
+  result.contact = contacts.stored_energy();
+  if (cord_contacts) result.contact += cord_contacts->stored_energy();
+  if (body_contacts) result.contact += body_contacts->stored_energy();
   result.spent = spent;
   result.spent.in_cords += half_kick * element_power.dissipated;
   result.spent.at_hinges += half_kick * hinge_power;
@@ -203,6 +205,7 @@ EnergyAudit CableSystem::capture(Snapshot& snapshot) {
   snapshot.bodies.clear();
   for (const DynamicBody& body : s.bodies) snapshot.bodies.push_back(body.state());
   snapshot.contacts = s.contacts.contacts();
+  if (s.body_contacts) s.body_contacts->append_points(snapshot.contacts);
   return energies;
 }
 

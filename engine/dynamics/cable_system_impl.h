@@ -10,6 +10,7 @@
 #include "engine/bodies/sector_sum.h"
 #include "engine/dynamics/applied_forces.h"
 #include "engine/dynamics/assembly.h"
+#include "engine/dynamics/body_contact.h"
 #include "engine/dynamics/cable_system.h"
 #include "engine/dynamics/consistent_mass.h"
 #include "engine/dynamics/contact_solver.h"
@@ -76,6 +77,7 @@ struct CableSystem::Impl {
   std::vector<double> bodies_way;
   std::vector<double> attachments_reach;  // m, by body: farthest of what hangs on it
   std::vector<double> noted_rope_length;  // m, of an element, by rope, then
+  std::unique_ptr<BodyContact> body_contacts;  // none: bodies pass through each other
 
   // Forces of the present state.
   AlignedVector<double> element_forces;
@@ -98,7 +100,8 @@ struct CableSystem::Impl {
   SpentEnergy spent;
   double input_work = 0, initial_energy = 0, initial_input = 0;
   double reference_step = 0;  // s, that the stiffness of contacts is for; 0: no step yet
-  std::vector<Eigen::Vector3d> impulses;
+  std::vector<Eigen::Vector3d> impulses;       // of cords, by body
+  std::vector<Eigen::Vector3d> body_impulses;  // of other bodies, by body
   double deepest_penetration = 0;
 
   std::vector<BatchElement> batch_elements() const;
@@ -125,6 +128,7 @@ struct CableSystem::Impl {
   void find_contacts(double dt);
   void add_contacts(double dt);
   contact_kernel::ContactPower contact_power() const;
+  void touch_bodies(double dt);
   void find_cord_speed();
   void note_motion();
   void set_reference_step(double dt);
@@ -147,15 +151,15 @@ struct CableSystem::Impl {
   double element_state(std::size_t element, std::size_t row) const;
   double resisted(std::size_t element, std::size_t row) const;
   double tension(std::size_t element) const;
+  double strain(std::size_t element) const;
+  FullElement::Stretching full_stretching(std::size_t element) const;
+  double stable_step_as_stretched(const StableStep& straight);
   double strain_energy_of(std::size_t first, std::size_t last) const;  // of these elements
   double strain_energy();
   SlotVectors velocities_after(double kick);
   template <typename Squares>
   double lumped_energy(const Squares& squares);
   double kinetic_energy(const SlotVectors& velocity);
-  double strain(std::size_t element) const;
-  FullElement::Stretching full_stretching(std::size_t element) const;
-  double stable_step_as_stretched(const StableStep& straight);
   double unresolved_energy(const SlotVectors& velocity);
   double load_work() const;
   EnergyAudit audit();

@@ -98,9 +98,17 @@ void CableSystem::Impl::add_contacts(double dt) {
 // What all contacts take out of the motion now.
 contact_kernel::ContactPower CableSystem::Impl::contact_power() const {
   contact_kernel::ContactPower power = contacts.dissipated_power(velocities, bodies);
-  if (!cord_contacts) return power;
-  const contact_kernel::ContactPower of_cords = cord_contacts->dissipated_power(velocities);
-  return {power.damping + of_cords.damping, power.friction + of_cords.friction};
+  if (cord_contacts) {
+    const contact_kernel::ContactPower of_cords = cord_contacts->dissipated_power(velocities);
+    power.damping += of_cords.damping;
+    power.friction += of_cords.friction;
+  }
+  if (body_contacts) {
+    const BodyContact::Power of_bodies = body_contacts->power(bodies);
+    power.damping += of_bodies.damping;
+    power.friction += of_bodies.friction;
+  }
+  return power;
 }
 
 void CableSystem::Impl::find_cord_speed() {
@@ -126,6 +134,13 @@ void CableSystem::Impl::note_motion() {
   if (cord_contacts) cord_contacts->note_way(way);
   cords_way = 0;
   std::ranges::fill(bodies_way, 0.0);
+}
+
+// Last of all: bodies meet each other as all other forces move them.
+void CableSystem::Impl::touch_bodies(double dt) {
+  if (!body_contacts) return;
+  body_contacts->find(bodies);
+  body_contacts->add_forces(bodies, controls, dt, wrenches);
 }
 
 // A snapshot leaves the forces of the state behind: the next step need not compute them again.
@@ -158,6 +173,7 @@ void CableSystem::Impl::compute_forces(double dt) {
     wrenches[b].torque +=
         (bodies[b].centre() - bodies[b].rigid().position()).cross(model.bodies[b].mass * model.gravity);
   }
+  touch_bodies(dt);
 }
 
 // What elements and applied forces do to a body through what is attached to it.
@@ -231,13 +247,15 @@ void CableSystem::Impl::set_reference_step(double dt) {
   reference_step = dt;
   contacts.set_reference_step(dt);
   if (cord_contacts) cord_contacts->set_reference_step(dt);
+  if (body_contacts) body_contacts->fix_stiffness(dt);
   forget_forces();
 }
 
 void CableSystem::Impl::step(double dt) {
   if (reference_step == 0) {
     set_reference_step(dt);
-    begin_accounts();
+    begin_accounts();  // what is in springs at the start belongs to the energy at the start
+    forget_forces();
   }
   keep_forces_current(dt);
   // Velocities stand half a step of the previous size before the positions; at the start they stand with them.
@@ -248,6 +266,7 @@ void CableSystem::Impl::step(double dt) {
   spent.at_hinges += kick * hinge_power;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     impulses[b] += kick * contacts.force_on(static_cast<std::int32_t>(b));
+    if (body_contacts) body_impulses[b] += kick * body_contacts->force_on(static_cast<std::int32_t>(b));
   }
   deepest_penetration = std::max(deepest_penetration, contacts.deepest_penetration());
   double ropes_change = ropes.energy_change(coordinates, velocities);

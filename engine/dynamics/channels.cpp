@@ -92,7 +92,10 @@ void ChannelRecorder::fill(Snapshot& snapshot, const Structure& structure, Cable
   }
   last_time_ = snapshot.time;
   last_impulse_ = impulse;
-  set(Channel::contact_count, static_cast<double>(std::ranges::count(snapshot.contacts, target_, &ContactPoint::body)));
+  const auto touches_target = [&](const ContactPoint& contact) {
+    return contact.body == target_ && contact.element >= 0;
+  };
+  set(Channel::contact_count, static_cast<double>(std::ranges::count_if(snapshot.contacts, touches_target)));
 
   const BodyState& target = snapshot.bodies[target_];
   const BodyState& craft = snapshot.bodies[spacecraft_];

@@ -153,4 +153,20 @@ double DynamicBody::kinetic_energy_after(const Wrench& wrench, const BodyControl
   return body.kinetic_energy();
 }
 
+RigidBody DynamicBody::after(const Wrench& wrench, const BodyControl& control, double kick) const {
+  RigidBody body = rigid_;
+  const Wrench sum = total(wrench, control, kick);
+  body.kick(sum.force, sum.torque, kick);
+  return body;
+}
+
+DynamicBody::Motion DynamicBody::response(const Wrench& impulse, const BodyControl& control) const {
+  Motion motion{inverse_mass_ * impulse.force, rigid_.apply_inverse_inertia(impulse.torque)};
+  for (int i = 0; i < 3; ++i) {
+    if (control.velocity[i]) motion.velocity[i] = 0;
+  }
+  if (control.hold_attitude) motion.spin.setZero();
+  return motion;
+}
+
 }  // namespace netpocket

@@ -80,6 +80,14 @@ class DynamicBody {
   double step(const Wrench& wrench, const BodyControl& control, double kick, double drift);
   // Kinetic energy (J) after half a kick from now.
   double kinetic_energy_after(const Wrench& wrench, const BodyControl& control, double half_kick) const;
+  // The body after a kick from now.
+  RigidBody after(const Wrench& wrench, const BodyControl& control, double kick) const;
+  // What an impulse (N s, N m s about the centre of mass) changes of its motion where the control leaves it free: speed
+  // of the centre of mass (m/s) and angular velocity (rad/s).
+  struct Motion {
+    Eigen::Vector3d velocity, spin;
+  };
+  Motion response(const Wrench& impulse, const BodyControl& control) const;
   // A unit impulse at a distance r from the centre of mass changes the speed of its point by no more than
   // inverse_mass() + r^2 largest_inverse_inertia(): 1/kg, 1/(kg m^2).
   double inverse_mass() const { return inverse_mass_; }

@@ -91,12 +91,13 @@ struct Hinge {
   double damping;    // N m s/rad
 };
 
-// How cables touch bodies and each other: law and constants of engine/contact/force_law.h.
+// How cables and bodies touch: law and constants of engine/contact/force_law.h.
 struct ContactSettings {
   double restitution = 0.5;
   double friction = 0;
   double friction_velocity = 1e-3;  // m/s
   bool cords = false;               // cords touch each other too
+  bool bodies = false;              // rigid bodies touch each other too
 };
 
 struct RopeMotion {

@@ -41,7 +41,8 @@ class PocketBuilder {
     model.contact = {.restitution = scenario_.contact.restitution,
                      .friction = scenario_.contact.friction,
                      .friction_velocity = scenario_.contact.friction_velocity,
-                     .cords = scenario_.contact.cords};
+                     .cords = scenario_.contact.cords,
+                     .bodies = scenario_.contact.bodies};
     model.gravity = scenario_.solver.gravity;
     add_bodies();
     add_rods();

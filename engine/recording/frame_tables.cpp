@@ -67,7 +67,8 @@ void FrameTables::create_contact_tables(ChunkCodec& codec) {
   create(contact_position_, contacts_, H5T_NATIVE_FLOAT, {"position", "m", "on the body, world axes", {3}, rows},
          codec);
   create(contact_force_, contacts_, H5T_NATIVE_FLOAT, {"force", "N", "on the body, world axes", {3}, rows}, codec);
-  create(contact_element_, contacts_, H5T_NATIVE_INT32, {"element", "", "row of structure/element_*", {}, rows}, codec);
+  create(contact_element_, contacts_, H5T_NATIVE_INT32,
+         {"element", "", "row of structure/element_*; -1: another body touches", {}, rows}, codec);
   create(contact_body_, contacts_, H5T_NATIVE_INT32, {"body", "", "row of structure/body_*", {}, rows}, codec);
 }
 

@@ -232,8 +232,8 @@ std::vector<ContactPoint> Recording::Impl::read_contacts(std::size_t index) cons
   for (std::size_t i = 0; i < count; ++i) {
     const ContactPoint contact = {Eigen::Vector3d(positions.data() + 3 * i), Eigen::Vector3d(forces.data() + 3 * i),
                                   elements[i], bodies[i]};
-    const bool valid = contact.element >= 0 && contact.body >= 0 &&
-                       static_cast<std::size_t>(contact.element) < structure.elements.size() &&
+    const bool valid = contact.element >= -1 && contact.body >= 0 &&
+                       contact.element < static_cast<std::int64_t>(structure.elements.size()) &&
                        static_cast<std::size_t>(contact.body) < structure.bodies.size();
     if (!valid) throw Hdf5Error("its contacts are damaged");
     contacts.push_back(contact);

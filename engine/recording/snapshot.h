@@ -22,7 +22,7 @@ struct BodyState {
 struct ContactPoint {
   Eigen::Vector3d position;  // m, on the body's surface
   Eigen::Vector3d force;     // N, on the body
-  std::int32_t element;      // index into Structure::elements
+  std::int32_t element;      // that touches, index into Structure::elements; -1: another body touches
   std::int32_t body;         // index into Structure::bodies
 };
 

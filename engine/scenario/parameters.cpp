@@ -124,7 +124,7 @@ constexpr std::array kGroups = {
     ParameterGroup{"spacecraft", "Spacecraft", "The service spacecraft; the rods' roots are clamped to it."},
     ParameterGroup{"target", "Target", "The body to be captured."},
     ParameterGroup{"contact", "Contact",
-                   "Contact of cords, ropes and rods with target and spacecraft and among themselves."},
+                   "Contact of cords, ropes and rods with target and spacecraft and among themselves, and of these two."},
     ParameterGroup{"closing", "Closing", "How the retractors at the rod tips draw the mouth together."},
     ParameterGroup{"towing", "Towing", "How the spacecraft pulls the captured target towards -Y."},
     ParameterGroup{"solver", "Solver", "Evaluation of the elements and integration in time."},
@@ -203,6 +203,7 @@ constexpr std::array kParameters = {
     parameter<kContact, &Contact::friction_velocity>("contact.friction_velocity", within(1e-6, 1), "m/s", "sliding speed at which friction is fully developed", kAssumption),
     parameter<kContact, &Contact::spacecraft>("contact.spacecraft", kNone, "", "cords touch the spacecraft too", kAssumption),
     parameter<kContact, &Contact::cords>("contact.cords", kNone, "", "net, closing ropes and rods touch each other; false: they pass through each other", kAssumption),
+    parameter<kContact, &Contact::bodies>("contact.bodies", kNone, "", "target and spacecraft touch each other; false: they pass through each other", kAssumption),
 
     parameter<kClosing, &Closing::law>("closing.law", kNone, "", "how the rope length goes from open to closed; table: as closing.table says", kAssumption),
     parameter<kClosing, &Closing::start>("closing.start", within(0, 1e5), "s", "time at which closing starts", "paper, section 4.2"),

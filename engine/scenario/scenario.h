@@ -89,6 +89,7 @@ struct ContactParameters {
   double friction_velocity = 1e-3;  // m/s, sliding speed at which friction is fully developed
   bool spacecraft = true;           // cords touch the spacecraft too
   bool cords = true;                // net, ropes and rods touch each other
+  bool bodies = true;               // target and spacecraft touch each other
 };
 
 struct ClosingParameters {

@@ -145,7 +145,7 @@ TEST(Hostile, WrongIndices) {
   EXPECT_EQ(last("/structure/body_shape", 3), "a body has an impossible size or mass");
   EXPECT_EQ(last("/structure/rod_tips", 21), "a rod names a node that does not exist");
   EXPECT_EQ(last("/contacts/body", 3), "its contacts are damaged");
-  EXPECT_EQ(last("/contacts/element", -1), "its contacts are damaged");
+  EXPECT_EQ(last("/contacts/element", -2), "its contacts are damaged");
   EXPECT_EQ(last("/frames/contact_range", 1000000), "/contacts/position is shorter than expected");
 }
 
