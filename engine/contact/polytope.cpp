@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include "engine/contact/segment_distance.h"
+#include "engine/bodies/segment_distance.h"
 
 namespace netpocket {
 namespace {

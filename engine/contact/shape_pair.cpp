@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "engine/bodies/triangle_mesh.h"
-#include "engine/contact/segment_distance.h"
+#include "engine/bodies/segment_distance.h"
 
 namespace netpocket {
 namespace {

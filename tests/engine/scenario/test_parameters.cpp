@@ -89,8 +89,8 @@ TEST(ParameterTable, DeclaresEveryMember) {
     EXPECT_EQ(count("target"), 18u);
   }
   {
-    [[maybe_unused]] const auto& [a, b, c, e, f] = contact;
-    EXPECT_EQ(count("contact"), 5u);
+    [[maybe_unused]] const auto& [a, b, c, e, f, g] = contact;
+    EXPECT_EQ(count("contact"), 6u);
   }
   {
     [[maybe_unused]] const auto& [a, b, c, e, f, g] = closing;
