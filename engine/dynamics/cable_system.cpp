@@ -448,10 +448,6 @@ void CableSystem::visit_state(const std::function<void(double&)>& visit) {
   }
   for (BodyControl& control : s.controls) control.visit_state(visit_number);
   for (Eigen::Vector3d& impulse : s.impulses) visit_vector(impulse);
-  if (s.body_contacts) {
-    for (Eigen::Vector3d& impulse : s.body_impulses) visit_vector(impulse);
-    s.body_contacts->visit_state(visit);
-  }
   double steps = static_cast<double>(s.steps);
   double reference_step = s.reference_step;
   for (double* value :
@@ -460,6 +456,10 @@ void CableSystem::visit_state(const std::function<void(double&)>& visit) {
     visit_number(*value);
   }
   if (reference_step != s.reference_step) s.set_reference_step(reference_step);
+  if (s.body_contacts) {
+    for (Eigen::Vector3d& impulse : s.body_impulses) visit_vector(impulse);
+    s.body_contacts->visit_state(visit);
+  }
   s.ropes.visit_state(visit_number);
   // A file may hold what is no count.
   if (steps >= 0 && steps < 9e15) s.steps = static_cast<std::int64_t>(steps);

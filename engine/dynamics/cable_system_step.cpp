@@ -247,7 +247,7 @@ void CableSystem::Impl::set_reference_step(double dt) {
   reference_step = dt;
   contacts.set_reference_step(dt);
   if (cord_contacts) cord_contacts->set_reference_step(dt);
-  if (body_contacts) body_contacts->fix_stiffness(dt);
+  if (body_contacts && dt > 0) body_contacts->fix_stiffness(dt);
   forget_forces();
 }
 

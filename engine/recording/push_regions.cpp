@@ -63,7 +63,8 @@ PushRegions::FrameForces PushRegions::forces(std::size_t frame, const std::vecto
   FrameForces sum;
   const auto& bodies = run_.recording().structure().bodies;
   for (const ContactPoint& point : run_.recording().contacts(frame)) {
-    if (bodies[static_cast<std::size_t>(point.body)].role != BodyRole::target) continue;
+    // What another body does to the target belongs to no part of the pocket.
+    if (point.element < 0 || bodies[static_cast<std::size_t>(point.body)].role != BodyRole::target) continue;
     const double force = point.force.y();
     sum.y[static_cast<std::size_t>(regions[static_cast<std::size_t>(point.element)])] += force;
     sum.size += std::abs(force);

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "engine/bodies/segment_distance.h"
+#include "engine/contact/contact_part.h"
 #include "engine/dynamics/cord_polyline.h"
 #include "tests/engine/bodies/mesh_samples.h"
 #include "tests/engine/dynamics/models.h"
