@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "engine/bodies/segment_distance.h"
+#include "engine/math/elementary.h"
 
 namespace netpocket {
 namespace {
@@ -55,7 +56,7 @@ Polytope::Polytope(const Box& box, const Vector3d& centre) : centre_(centre), ra
 }
 
 Polytope::Polytope(const Cylinder& cylinder, const Vector3d& centre)
-    : centre_(centre), radius_(std::hypot(cylinder.radius, 0.5 * cylinder.length)), weight_(8.0 / (2 * kSides)) {
+    : centre_(centre), radius_(hypotenuse(cylinder.radius, 0.5 * cylinder.length)), weight_(8.0 / (2 * kSides)) {
   std::vector<std::int32_t> low, high;
   for (const Eigen::Vector2d& point : unit_circle(kSides)) {
     const Vector3d rim(cylinder.radius * point.x(), 0.5 * cylinder.length, cylinder.radius * point.y());

@@ -40,7 +40,7 @@ TEST(Study, TabulatesItsPoints) {
   EXPECT_EQ(result.exit_code, 0) << result.error;
   EXPECT_TRUE(contains(result.out, "3 of 3 points done, 1 of them refused as not valid")) << result.out;
   EXPECT_TRUE(contains(result.error, "100 %")) << result.error;
-  EXPECT_TRUE(contains(content(folder.file("out/study.csv")), "\n2,,4.1,fast,,finished,"));
+  EXPECT_TRUE(contains(content(folder.file("out/study.csv")), "\n2,,0,4.1,fast,,finished,"));
   EXPECT_TRUE(contains(content(folder.file("out/study.csv")), "the target starts inside the net"));
   const auto json = nlohmann::json::parse(content(folder.file("out/study.json")));
   EXPECT_EQ(json["points"][1]["runs"][0]["variant"], "fast");

@@ -1,10 +1,9 @@
-// The search for contact against brute force, at every step of random scenes.
+// The search for contact of cords with a body against brute force, at every step of random scenes.
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "engine/bodies/segment_distance.h"
 #include "engine/contact/contact_part.h"
 #include "engine/dynamics/cord_polyline.h"
 #include "tests/engine/bodies/mesh_samples.h"
@@ -155,28 +154,9 @@ double deepest_by_trial(const Model& model, const std::vector<Chain>& chains, co
   return deepest;
 }
 
-// How deep any two cords overlap, m.
-double deepest_of_cords(const Model& model, const std::vector<Chain>& chains) {
-  double deepest = 0;
-  for (std::size_t i = 0; i < chains.size(); ++i) {
-    for (std::size_t j = i + 1; j < chains.size(); ++j) {
-      const ModelElement &a = model.elements[i], &b = model.elements[j];
-      if (a.node1 == b.node1 || a.node1 == b.node2 || a.node2 == b.node1 || a.node2 == b.node2) continue;
-      for (std::size_t s = 0; s + 1 < chains[i].size(); ++s) {
-        for (std::size_t t = 0; t + 1 < chains[j].size(); ++t) {
-          const double distance =
-              closest_points({chains[i][s], chains[i][s + 1]}, {chains[j][t], chains[j][t + 1]}).distance;
-          deepest = std::max(deepest, 2 * model.materials[0].radius - distance);
-        }
-      }
-    }
-  }
-  return deepest;
-}
-
 TEST(MissedContact, NothingIsMissedInRandomScenes) {
   constexpr double kTolerance = 2e-5;  // m, between tried points
-  int touching = 0, crossing = 0;
+  int touching = 0;
   for (unsigned seed = 1; seed <= 1000; ++seed) {
     Scene scene(seed);
     CableSystem system = scene.system();
@@ -188,16 +168,10 @@ TEST(MissedContact, NothingIsMissedInRandomScenes) {
       const double deepest = deepest_by_trial(system.model(), now, snapshot.bodies[0]);
       if (deepest > kTolerance) ++touching;
       ASSERT_GE(system.penetration(), deepest - kTolerance) << "seed " << seed << ", step " << step;
-      const double overlap = deepest_of_cords(system.model(), now);
-      if (overlap > kTolerance) {
-        ++crossing;
-        ASSERT_GT(system.cord_contacts().count, 0) << "seed " << seed << ", step " << step << ", " << overlap << " m";
-      }
       for (int i = 0; i < 3; ++i) system.step(dt);
     }
   }
   EXPECT_GT(touching, 2000);
-  EXPECT_GT(crossing, 5);
 }
 
 }  // namespace

@@ -142,7 +142,7 @@ TEST(RunStudy, SaysWhenItCannotWrite) {
   const Study study = coarse_study(folder);
   begin(study, folder);
   folder.write("out/runs", "not a folder");
-  EXPECT_THROW(run_study(study, folder.file("out"), {.resume = true}), RecordingError);
+  EXPECT_THROW(run_study(study, folder.file("out"), {.resume = true}), FileError);
 }
 
 std::string refusal(const Study& study, const std::string& folder) {

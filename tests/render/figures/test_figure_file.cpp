@@ -7,6 +7,7 @@
 #include <iterator>
 #include <limits>
 
+#include "engine/files/file_error.h"
 #include "render/figures/figure_file.h"
 #include "test_directory.h"
 

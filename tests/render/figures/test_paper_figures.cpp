@@ -8,6 +8,7 @@
 #include <limits>
 #include <set>
 
+#include "engine/files/file_error.h"
 #include "render/figures/plot_figures.h"
 #include "synthetic_run.h"
 #include "test_directory.h"
