@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/bodies/triangle_mesh.h"
 #include "engine/bodies/segment_distance.h"
+#include "engine/bodies/triangle_mesh.h"
 
 namespace netpocket {
 namespace {

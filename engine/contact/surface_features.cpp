@@ -7,6 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include "engine/math/elementary.h"
+
 namespace netpocket {
 namespace {
 
@@ -41,11 +43,7 @@ std::vector<FeatureEdge> convex_edges(const std::vector<FeatureCorner>& corners,
   return edges;
 }
 
-// Of an angle (rad) with this cosine, to 0.2 rad: the beginning of its series, which has the same bits everywhere.
-double rough_angle(double cosine) {
-  const double square = cosine * cosine;
-  return std::numbers::pi / 2 - cosine * (1 + square * (1.0 / 6 + square * (3.0 / 40 + square * (15.0 / 336))));
-}
+double angle_between(const Vector3d& a, const Vector3d& b) { return arc_tangent(a.cross(b).norm(), a.dot(b)); }
 
 // Each triangle's area goes to its corners by their angles.
 std::vector<double> corner_areas(const TriangleMesh& mesh) {
@@ -55,8 +53,7 @@ std::vector<double> corner_areas(const TriangleMesh& mesh) {
     for (std::size_t i = 0; i < 3; ++i) p[i] = mesh.vertices()[static_cast<std::size_t>(triangle[i])];
     const double area = 0.5 * (p[1] - p[0]).cross(p[2] - p[0]).norm();
     for (std::size_t i = 0; i < 3; ++i) {
-      const Vector3d one = p[(i + 1) % 3] - p[i], two = p[(i + 2) % 3] - p[i];
-      const double angle = rough_angle(one.dot(two) / std::sqrt(one.squaredNorm() * two.squaredNorm()));
+      const double angle = angle_between(p[(i + 1) % 3] - p[i], p[(i + 2) % 3] - p[i]);
       areas[static_cast<std::size_t>(triangle[i])] += area * angle / std::numbers::pi;
     }
   }

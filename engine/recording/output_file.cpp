@@ -117,10 +117,10 @@ void OutputFile::reserve(std::uint64_t size) {
 }
 
 void OutputFile::sync() {
+  require_whole();
   // File systems that cannot (some in memory, some over networks) say EINVAL or EROFS.
   if (fdatasync(descriptor_) != 0 && errno != EINVAL && errno != EROFS) throw write_error(name_, errno);
-  struct stat status = {};
-  if (fstat(descriptor_, &status) == 0) seen_size_ = status.st_size;
+  require_whole();  // it may have taken long; what is written next would hide that the file is shorter
 }
 
 void OutputFile::require_name() const {

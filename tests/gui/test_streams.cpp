@@ -88,7 +88,7 @@ TEST(Signals, TheLossOfTheTerminalEndsARunCleanly) {
 TEST(Signals, InterruptedDrawingSaysSoAndLeavesNothingHalf) {
   const TestFolder folder;
   const std::string recording = folder.file("run.h5");
-  ASSERT_EQ(run_program(run_words(recording) + Words{"--set", "output.frame_rate=5000"}).exit_code, 0);
+  ASSERT_EQ(run_program(run_words(recording, "0.5") + Words{"--set", "output.frame_rate=1000"}).exit_code, 0);
   const auto has_part = [&] {
     const auto names = names_in(folder.file(""));
     return std::ranges::any_of(names, [](const auto& name) { return name.ends_with(".part"); });
@@ -97,10 +97,10 @@ TEST(Signals, InterruptedDrawingSaysSoAndLeavesNothingHalf) {
     return [path = folder.file(name)] { return std::filesystem::exists(path); };
   };
   const auto reported =
-      interrupt({"report", recording, "-o", folder.file("a.html"), "--fps", "5000", "--quiet"}, SIGHUP, has_part);
+      interrupt({"report", recording, "-o", folder.file("a.html"), "--fps", "1000", "--quiet"}, SIGHUP, has_part);
   expect_sentence(reported, 130, {"interrupted", "a.html", "was not written"});
   const auto filmed = interrupt({"render", recording, "-o", folder.file("f"), "--video", folder.file("a.mp4"), "--fps",
-                                 "5000", "--size", "320x200", "--quiet"},
+                                 "1000", "--size", "320x200", "--quiet"},
                                 SIGHUP, exists("f/0000.png"));
   expect_sentence(filmed, 130, {"interrupted", "kept"});
   const auto exported =
