@@ -37,14 +37,6 @@ Vector3d across(const Vector3d& vector, const Vector3d& normal) {
 
 }  // namespace
 
-// kg, that any point of the body's surface has at least. Normals of a sphere pass through its centre.
-double BodyContact::smallest_mass(const Model& model, std::int32_t body, const DynamicBody& dynamic) {
-  const Shape& shape = model.bodies[static_cast<std::size_t>(body)].shape;
-  const double offset = symmetric_norm(dynamic.centre() - dynamic.rigid().position());
-  const double arm = offset + (std::holds_alternative<Sphere>(shape) ? 0 : bounding_radius(shape));
-  return 1 / (dynamic.inverse_mass() + arm * arm * dynamic.largest_inverse_inertia());
-}
-
 BodyContact::BodyContact(const Model& model, std::span<const DynamicBody> bodies)
     : settings_(model.contact), damping_(restitution_damping(model.contact.restitution)) {
   shapes_.reserve(bodies.size());
@@ -57,9 +49,8 @@ BodyContact::BodyContact(const Model& model, std::span<const DynamicBody> bodies
       const double modulus =
           effective_modulus({a.youngs_modulus, a.poisson_ratio}, {b.youngs_modulus, b.poisson_ratio});
       const double radius = effective_radius(contact_radius(a.shape), contact_radius(b.shape));
-      pairs_.push_back(
-          {first, second, ShapePair(shapes_[i], shapes_[j]), hertz_stiffness(modulus, radius),
-           effective_mass(smallest_mass(model, first, bodies[i]), smallest_mass(model, second, bodies[j]))});
+      pairs_.push_back({first, second, ShapePair(shapes_[i], shapes_[j]), hertz_stiffness(modulus, radius),
+                        effective_mass(bodies[i].least_mass(), bodies[j].least_mass())});
     }
   }
 }

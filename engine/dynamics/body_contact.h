@@ -86,7 +86,6 @@ class BodyContact {
   };
 
   static double stiffness_of(const Pair& pair, double dt);
-  static double smallest_mass(const Model& model, std::int32_t body, const DynamicBody& dynamic);
   template <typename Force>
   std::vector<Wrench> sum_by_body(const Force& force) const;
   template <typename Direction>

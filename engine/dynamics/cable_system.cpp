@@ -401,7 +401,8 @@ CordContactSum CableSystem::cord_contacts() const {
   return {impl_->cord_contacts->count(), impl_->cord_contacts->total_normal_force()};
 }
 double CableSystem::penetration() const { return impl_->contacts.deepest_penetration(); }
-std::int64_t CableSystem::stopped_blows() const { return impl_->contacts.stops(); }
+std::int64_t CableSystem::stopped_blows() const { return impl_->stopped_blows; }
+std::int64_t CableSystem::unresolved_contacts() const { return impl_->unresolved_contacts; }
 std::int64_t CableSystem::parted_overlaps() const {
   return impl_->cord_contacts ? impl_->cord_contacts->partings() : 0;
 }

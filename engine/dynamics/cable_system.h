@@ -126,8 +126,9 @@ class CableSystem {
   // Deepest penetration (m) of the last step.
   double penetration() const;
   // How often a safeguard has acted since the system was made, a count of contacts and steps; no part of the state.
-  std::int64_t stopped_blows() const;    // by cords on bodies too fast for a spring, stopped at its greatest depth
-  std::int64_t parted_overlaps() const;  // of cords found deeper in each other than their springs are
+  std::int64_t stopped_blows() const;        // by cords on bodies too fast for a spring, stopped at its greatest depth
+  std::int64_t unresolved_contacts() const;  // of cords with bodies, whose spring was too stiff for the step
+  std::int64_t parted_overlaps() const;      // of cords found deeper in each other than their springs are
   // Of the last step, for messages: e.g. "rod 2 (element 31) is pressed 0.06 m into the target"; empty without contact.
   std::string deepest_contact() const;
 

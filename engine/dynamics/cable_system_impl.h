@@ -103,6 +103,7 @@ struct CableSystem::Impl {
   std::vector<Eigen::Vector3d> impulses;       // of cords, by body
   std::vector<Eigen::Vector3d> body_impulses;  // of other bodies, by body
   double deepest_penetration = 0;
+  std::int64_t stopped_blows = 0, unresolved_contacts = 0;
 
   std::vector<BatchElement> batch_elements() const;
   std::int32_t slot(std::size_t element, int corner) const {

@@ -269,6 +269,8 @@ void CableSystem::Impl::step(double dt) {
     if (body_contacts) body_impulses[b] += kick * body_contacts->force_on(static_cast<std::int32_t>(b));
   }
   deepest_penetration = std::max(deepest_penetration, contacts.deepest_penetration());
+  stopped_blows += contacts.stops();
+  unresolved_contacts += contacts.unresolved();
   double ropes_change = ropes.energy_change(coordinates, velocities);
 
   move_slots(velocities, coordinates, kick, dt);

@@ -34,6 +34,17 @@ NETPOCKET_INLINE Lanes3 body_velocity(const BodyMotion& body, const Lanes3& arm)
   return broadcast3(body.velocity) + cross(broadcast3(body.angular_velocity), arm);
 }
 
+// RigidBody::inverse_mass_at, and the largest in any direction.
+NETPOCKET_INLINE Lanes inverse_mass_along(const BodyMotion& body, const Lanes3& arm, const Lanes3& direction) {
+  const Lanes3 turn = cross(arm, direction);
+  const Lanes3 spin = {dot(broadcast3(body.inverse_inertia[0]), turn), dot(broadcast3(body.inverse_inertia[1]), turn),
+                       dot(broadcast3(body.inverse_inertia[2]), turn)};
+  return broadcast(body.inverse_mass) + dot(turn, spin);
+}
+NETPOCKET_INLINE Lanes largest_inverse_mass(const BodyMotion& body, const Lanes3& arm) {
+  return broadcast(body.inverse_mass) + dot(arm, arm) * broadcast(body.largest_inverse_inertia);
+}
+
 // The cables' velocity at the contact points, in the order of element_curve.h.
 NETPOCKET_INLINE Lanes3 combine(const ContactBlock& c, int part, const Lanes3& a, const Lanes3& b, const Lanes3& d,
                                 const Lanes3& e) {
@@ -68,7 +79,7 @@ NETPOCKET_INLINE Lanes shared_inverse_mass(const ForceView& view, const ContactB
 
 // stepped_normal_force, and what stops an approach that would pass the deepest penetration.
 struct Push {
-  Lanes force, is_stopped;
+  Lanes force, is_stopped, is_unresolved;
 };
 NETPOCKET_INLINE Push normal_force(const ForceView& view, const ContactBlock& c, int part, const Lanes& elastic,
                                    const Lanes& before, const Lanes& after, const Lanes& w) {
@@ -82,7 +93,7 @@ NETPOCKET_INLINE Push normal_force(const ForceView& view, const ContactBlock& c,
   const Lanes allowed = larger(load(c.deepest, part) - penetration, zero) / dt;
   const Lanes stopping = (-allowed - after) / (dt * w);
   const Lanes force = larger(push, zero);
-  return {larger(force, stopping), stopping > force ? one : zero};
+  return {larger(force, stopping), stopping > force ? one : zero, implicit > zero ? one : zero};
 }
 
 NETPOCKET_INLINE Lanes spring_force(const ContactBlock& c, int part) {
@@ -246,20 +257,22 @@ void forces(const ForceView& view, const BodyMotion& body, ContactBlock* contact
       const Lanes3 normal = load3(c.normal, part);
       const Lanes3 arm = load3(c.point, part) - broadcast3(body.position);
       const Lanes3 surface = body_velocity(body, arm);
-      const Lanes distance = square_root(dot(arm, arm));
-      const Lanes of_body = broadcast(body.inverse_mass) + distance * distance * broadcast(body.inverse_inertia);
-      const Lanes w = shared_inverse_mass(view, c, part) + broadcast(body.contacts) * of_body;
+      const Lanes of_cord = shared_inverse_mass(view, c, part);
+      const Lanes w = of_cord + broadcast(body.contacts) * inverse_mass_along(body, arm, normal);
+      const Lanes across = of_cord + broadcast(body.contacts) * largest_inverse_mass(body, arm);
       const Lanes3 before = velocity_at_slots(view.velocities, c, part) - surface;
       const Lanes3 after = velocity_at_places(view.predicted, c, part) - surface;
       const Lanes separation = dot(after, normal);
       const Lanes elastic = spring_force(c, part), share = load(c.share, part);
-      const auto [push, is_stopped] = normal_force(view, c, part, elastic, dot(before, normal), separation, w);
+      const auto [push, is_stopped, is_unresolved] =
+          normal_force(view, c, part, elastic, dot(before, normal), separation, w);
       const Lanes3 sliding = after - separation * normal;
-      const Lanes3 force = push * normal - resistance(view, push, square_root(dot(sliding, sliding)), w) * sliding;
+      const Lanes3 force = push * normal - resistance(view, push, square_root(dot(sliding, sliding)), across) * sliding;
       store3(c.force[0], 0, part, share * force);
       store(c.normal_force, part, share * push);
       store(c.elastic, part, share * elastic);
       store(c.is_stopped, part, is_stopped);
+      store(c.is_unresolved, part, is_unresolved);
     }
   }
 }

@@ -21,7 +21,8 @@ struct alignas(64) ContactBlock {
   double force[3][kBlockSize];                        // N, on the cable
   double normal_force[kBlockSize];                    // N, >= 0
   double elastic[kBlockSize];                         // N, of the spring alone
-  double is_stopped[kBlockSize];  // 1 where the force ends the approach at the greatest depth, else 0
+  double is_stopped[kBlockSize];     // 1 where the force ends the approach at the greatest depth, else 0
+  double is_unresolved[kBlockSize];  // 1 where the spring is too stiff for the step (force_law.h: theta > 0), else 0
   std::int32_t slot[4][kBlockSize];
   std::int32_t place[4][kBlockSize];  // of the slot's block in ContactedSlots
   std::int32_t element[kBlockSize];
@@ -41,7 +42,8 @@ struct BodyMotion {
   double position[3], velocity[3];  // m, m/s, of the centre of mass
   double angular_velocity[3];       // rad/s
   double inverse_mass;              // 1/kg
-  double inverse_inertia;           // 1/(kg m^2), largest
+  double inverse_inertia[3][3];     // 1/(kg m^2), about the centre of mass
+  double largest_inverse_inertia;   // its largest eigenvalue
   double contacts;                  // that share the body's inertia: the sum of their shares
 };
 

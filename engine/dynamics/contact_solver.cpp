@@ -42,9 +42,21 @@ contact_kernel::BodyMotion motion_of(const DynamicBody& body, double shares) {
   copy(body.rigid().velocity(), motion.velocity);
   copy(body.rigid().angular_velocity(), motion.angular_velocity);
   motion.inverse_mass = body.inverse_mass();
-  motion.inverse_inertia = body.largest_inverse_inertia();
+  for (int axis = 0; axis < 3; ++axis) {
+    copy(body.rigid().apply_inverse_inertia(Vector3d::Unit(axis)), motion.inverse_inertia[axis]);
+  }
+  motion.largest_inverse_inertia = body.largest_inverse_inertia();
   motion.contacts = shares;
   return motion;
+}
+
+int count_marked(std::span<const ContactBlock> contacts, const double (ContactBlock::*mark)[kBlockSize]) {
+  int count = 0;
+  for (const ContactBlock& block : contacts) {
+    const double* marks = block.*mark;
+    count += static_cast<int>(std::count_if(marks, marks + block.count, [](double m) { return m > 0; }));
+  }
+  return count;
 }
 
 // Lanes without a contact read what the first one reads, and exert nothing.
@@ -96,7 +108,7 @@ void ContactSolver::note_motion(double cords, std::span<const double> bodies) {
 }
 
 // The cord's mass that belongs to the place: of half an element, at the end of a cord of a quarter.
-ContactSolver::Law ContactSolver::make_law(const CordTouch& touch, std::int32_t body) const {
+ContactSolver::Law ContactSolver::make_law(const CordTouch& touch, std::int32_t body, double body_mass) const {
   const CableMaterial& material = model_.material_of(touch.element);
   const ModelBody& partner = model_.bodies[static_cast<std::size_t>(body)];
   const double modulus = effective_modulus({material.youngs_modulus, material.poisson_ratio},
@@ -105,7 +117,7 @@ ContactSolver::Law ContactSolver::make_law(const CordTouch& touch, std::int32_t 
       hertz_stiffness(modulus, effective_radius(material.radius, contact_radius(partner.shape)));
   const double part = (touch.is_cord_end ? 0.5 : 1.0) / ContactSearch::kHalves;
   const double length = part * model_.elements[static_cast<std::size_t>(touch.element)].length;
-  const double mass = effective_mass(material.section.mass_per_length * length, partner.mass);
+  const double mass = effective_mass(material.section.mass_per_length * length, body_mass);
   const double stiffness = std::min(of_materials, resolved_stiffness(mass, reference_step_));
   const ContactPart& solid =
       partners_[static_cast<std::size_t>(body)].search.parts()[static_cast<std::size_t>(touch.part)];
@@ -113,11 +125,11 @@ ContactSolver::Law ContactSolver::make_law(const CordTouch& touch, std::int32_t 
           std::min(depth_of_impact(mass, stiffness, kSoftImpact), material.radius + kThicknessPart * solid.thickness)};
 }
 
-const ContactSolver::Law& ContactSolver::law_of(const CordTouch& touch, std::int32_t body) {
+const ContactSolver::Law& ContactSolver::law_of(const CordTouch& touch, std::int32_t body, double body_mass) {
   std::vector<Law>& laws = partners_[static_cast<std::size_t>(body)].laws[static_cast<std::size_t>(touch.part)];
   if (laws.empty()) laws.resize(2 * model_.elements.size());
   Law& law = laws[2 * static_cast<std::size_t>(touch.element) + (touch.is_cord_end ? 1 : 0)];
-  if (law.law.stiffness == 0) law = make_law(touch, body);
+  if (law.law.stiffness == 0) law = make_law(touch, body, body_mass);
   return law;
 }
 
@@ -130,7 +142,7 @@ ElementWeights ContactSolver::weights_at(const CordTouch& touch, double length) 
   return weights;
 }
 
-void ContactSolver::add_contact(std::int32_t body, const CordTouch& touch, double length) {
+void ContactSolver::add_contact(std::int32_t body, double body_mass, const CordTouch& touch, double length) {
   Partner& partner = partners_[static_cast<std::size_t>(body)];
   if (partner.first == contacts_.size() || contacts_.back().count == kBlockSize) {
     contacts_.emplace_back();
@@ -148,7 +160,7 @@ void ContactSolver::add_contact(std::int32_t body, const CordTouch& touch, doubl
     block.point[axis][lane] = touch.point[axis];
     block.normal[axis][lane] = touch.normal[axis];
   }
-  const Law& law = law_of(touch, body);
+  const Law& law = law_of(touch, body, body_mass);
   block.penetration[lane] = touch.penetration;
   block.stiffness[lane] = law.law.stiffness;
   block.damping[lane] = law.law.damping;
@@ -202,7 +214,7 @@ void ContactSolver::find_contacts(std::int32_t body, const SlotVectors& coordina
     } else if (!hits_within_step(touch, body, length, velocities, dynamic, dt)) {
       continue;
     }
-    add_contact(body, touch, length);
+    add_contact(body, dynamic.least_mass(), touch, length);
   }
   partner.last = contacts_.size();
 }
@@ -256,15 +268,6 @@ class ContactSolver::Stop {
         contacted_(contacted),
         inverse_mass_(inverse_mass),
         dt_(dt) {}
-
-  // Contacts whose force is that of a stop, not of a spring and its damper.
-  std::int64_t count() const {
-    std::int64_t count = 0;
-    for (const ContactBlock& block : contacts_) {
-      for (int lane = 0; lane < block.count; ++lane) count += is_stopped(block, lane) ? 1 : 0;
-    }
-    return count;
-  }
 
   void complete() {
     constexpr int kMostRounds = 200;
@@ -360,16 +363,17 @@ void ContactSolver::add_forces(const SlotVectors& velocities, ContactedSlots& co
                                        .friction = settings_.friction,
                                        .friction_velocity = settings_.friction_velocity,
                                        .dt = dt};
+  stops_ = unresolved_ = 0;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     body_force_[b].setZero();
     const Partner& partner = partners_[b];
     if (partner.first == partner.last) continue;
     const std::span<ContactBlock> contacts(contacts_.data() + partner.first, partner.last - partner.first);
     kernels().forces(view, motion_of(bodies[b], partner.shares), contacts.data(), contacts.size());
-    Stop stop(contacts, bodies[b].rigid(), partner.shares, contacted, inverse_mass, dt);
-    if (const std::int64_t count = stop.count(); count > 0) {
+    unresolved_ += count_marked(contacts, &ContactBlock::is_unresolved);
+    if (const int count = count_marked(contacts, &ContactBlock::is_stopped); count > 0) {
       stops_ += count;
-      stop.complete();
+      Stop(contacts, bodies[b].rigid(), partner.shares, contacted, inverse_mass, dt).complete();
     }
     for_each_corner(contacts, [&](const ContactBlock& block, int lane, int corner) {
       applied.add(block.slot[corner][lane], block.weight[corner][lane] * lane_of(block.force, lane));

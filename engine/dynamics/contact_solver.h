@@ -3,8 +3,9 @@
 // and gives them to nodes, gradients and bodies by virtual work (S^T F).
 //
 // A contact is as stiff as its partners' materials, but no stiffer than makes an impact at 1 m/s last eight of the
-// run's first steps. The stiffness stays as it is for the whole run: a spring that holds energy does not change with
-// the step. Where a spring is too soft for what comes, the contact ends the approach at a greatest depth (below).
+// run's first steps, with the least mass that any point of the body can have. The stiffness stays as it is for the
+// whole run: a spring that holds energy does not change with the step. Where a spring is too soft for what comes, the
+// contact ends the approach at a greatest depth (below).
 //
 // Contacts of a step see the same state and share the inertia of nodes (contacted_slots.h) and, counted likewise, of
 // the body.
@@ -61,8 +62,10 @@ class ContactSolver {
   bool has_contacts() const { return !contacts_.empty(); }
   const Eigen::Vector3d& force_on(std::int32_t body) const { return body_force_[body]; }
   double deepest_penetration() const { return deepest_penetration_; }  // m
-  // Contacts that were stopped at their greatest depth, a count of contacts and steps.
-  std::int64_t stops() const { return stops_; }
+  // Contacts that the present forces stop at their greatest depth.
+  int stops() const { return stops_; }
+  // Contacts whose spring is too stiff for the step (force_law.h: theta > 0).
+  int unresolved() const { return unresolved_; }
   struct Depth {
     std::int32_t element, body;
     double penetration;  // m
@@ -93,10 +96,11 @@ class ContactSolver {
   // Whether a place that is still apart would come to touch within the step.
   bool hits_within_step(const CordTouch& touch, std::int32_t body, double length, const SlotVectors& velocities,
                         const DynamicBody& dynamic, double dt) const;
-  void add_contact(std::int32_t body, const CordTouch& touch, double length);
+  // `body_mass` (kg): the body's least.
+  void add_contact(std::int32_t body, double body_mass, const CordTouch& touch, double length);
   ElementWeights weights_at(const CordTouch& touch, double length) const;
-  Law make_law(const CordTouch& touch, std::int32_t body) const;
-  const Law& law_of(const CordTouch& touch, std::int32_t body);
+  Law make_law(const CordTouch& touch, std::int32_t body, double body_mass) const;
+  const Law& law_of(const CordTouch& touch, std::int32_t body, double body_mass);
   void share_inertia(ContactedSlots& contacted);
   template <typename Function>
   void for_each_contact(const Function& function) const;
@@ -115,7 +119,7 @@ class ContactSolver {
   AlignedVector<ContactBlock> contacts_;  // by body
   std::vector<Eigen::Vector3d> body_force_;
   double deepest_penetration_ = 0;
-  std::int64_t stops_ = 0;
+  int stops_ = 0, unresolved_ = 0;
 };
 
 }  // namespace netpocket

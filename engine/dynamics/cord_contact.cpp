@@ -128,6 +128,7 @@ void CordContact::test(const NearSegments& near, const SlotVectors& coordinates,
   const double mass = effective_mass(model_.material_of(first).section.mass_per_length * element_length[a],
                                      model_.material_of(second).section.mass_per_length * element_length[b]);
   contact.stiffness = std::min(material_stiffness(first, second), resolved_stiffness(mass, reference_step_));
+  contact.deepest = depth_of_impact(mass, contact.stiffness, kDeepImpact);
   contacts_.push_back(contact);
 }
 
@@ -231,10 +232,9 @@ void CordContact::set_forces(Contact& contact, const SlotVectors& velocities, co
   contact.normal_force = std::max(
       stepped_normal_force(law, contact.reach - contact.distance, {before_speed, after_speed}, w, dt), stopping);
   const double penetration = contact.reach - contact.distance;
-  contact.deepest = depth_of_impact(1 / w, contact.stiffness, kDeepImpact);
   if (penetration > contact.deepest) {
     ++partings_;
-    contact.normal_force = std::min(contact.normal_force, (kParting - after_speed) / (dt * w));
+    contact.normal_force = std::clamp((kParting - after_speed) / (dt * w), 0.0, contact.normal_force);
   } else {
     contact.elastic = normal_force({contact.stiffness, 0}, penetration, 0);
   }

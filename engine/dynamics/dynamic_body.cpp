@@ -1,5 +1,6 @@
 #include "engine/dynamics/dynamic_body.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
 #include "engine/bodies/sector_sum.h"
@@ -64,6 +65,24 @@ RigidBody compound(const ModelBody& body, const std::vector<AttachedMass>& attac
   return rigid;
 }
 
+// 1/kg, that no point of a shape centred at `centre` exceeds in any direction: the largest eigenvalue of
+// 1/M + [a]^T I^-1 [a], which is a convex function of the arm a, at the corners of a box that holds the shape. Normals
+// of a sphere pass through its centre.
+double largest_inverse_mass(const RigidBody& rigid, const Eigen::Vector3d& centre, const Shape& shape) {
+  Eigen::AlignedBox3d box = extents(shape);
+  if (std::holds_alternative<Sphere>(shape)) box = Eigen::AlignedBox3d(Eigen::Vector3d::Zero());
+  double largest = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Eigen::Vector3d arm = centre + box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner));
+    Eigen::Matrix3d cross;
+    cross << 0, -arm.z(), arm.y(), arm.z(), 0, -arm.x(), -arm.y(), arm.x(), 0;
+    const Eigen::Matrix3d turning = cross.transpose() * rigid.inertia().ldlt().solve(cross);
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(turning, Eigen::EigenvaluesOnly);
+    largest = std::max(largest, solver.eigenvalues().maxCoeff());
+  }
+  return 1 / rigid.mass() + largest;
+}
+
 }  // namespace
 
 void BodyControl::visit_state(const std::function<void(double&)>& visit) {
@@ -84,8 +103,11 @@ void BodyControl::visit_state(const std::function<void(double&)>& visit) {
   hold_attitude = visit_flag(hold_attitude);
 }
 
-DynamicBody::DynamicBody(const RigidBody& rigid, const Eigen::Vector3d& centre)
-    : rigid_(rigid), centre_(centre), inverse_mass_(1 / rigid.mass()) {
+DynamicBody::DynamicBody(const RigidBody& rigid, const Eigen::Vector3d& centre, const Shape& shape)
+    : rigid_(rigid),
+      centre_(centre),
+      inverse_mass_(1 / rigid.mass()),
+      least_mass_(1 / largest_inverse_mass(rigid, centre, shape)) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(rigid.inertia(), Eigen::EigenvaluesOnly);
   largest_inverse_inertia_ = 1 / solver.eigenvalues().minCoeff();
 }
@@ -95,7 +117,7 @@ DynamicBody::DynamicBody(const Model& model, std::int32_t body, const SlotLayout
         const auto attached = attached_masses(model, body, layout, mass);
         Eigen::Vector3d centre;
         const RigidBody rigid = compound(model.bodies[body], attached, centre);
-        DynamicBody result(rigid, centre);
+        DynamicBody result(rigid, centre, model.bodies[body].shape);
         for (const AttachedMass& a : attached) {
           result.attachments_.push_back(
               {a.slot, a.direction, a.direction ? a.local : Eigen::Vector3d(a.local + centre)});

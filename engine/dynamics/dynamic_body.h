@@ -92,9 +92,11 @@ class DynamicBody {
   // inverse_mass() + r^2 largest_inverse_inertia(): 1/kg, 1/(kg m^2).
   double inverse_mass() const { return inverse_mass_; }
   double largest_inverse_inertia() const { return largest_inverse_inertia_; }
+  // kg, that any point of the body's surface has at least against a push along the surface's normal.
+  double least_mass() const { return least_mass_; }
 
  private:
-  DynamicBody(const RigidBody& rigid, const Eigen::Vector3d& centre);
+  DynamicBody(const RigidBody& rigid, const Eigen::Vector3d& centre, const Shape& shape);
   Wrench total(const Wrench& wrench, const BodyControl& control, double kick) const;
 
   RigidBody rigid_;
@@ -103,6 +105,7 @@ class DynamicBody {
   Wrench exerted_;
   double inverse_mass_;
   double largest_inverse_inertia_;
+  double least_mass_;
 };
 
 }  // namespace netpocket

@@ -231,16 +231,16 @@ struct Simulation::Impl {
     if (interval < 0 || steps_in_interval == interval_steps) begin_interval();
     material_changes.apply(system.time());
     system.control(pocket.spacecraft, drive.at(system.time(), system.motion(pocket.spacecraft)));
-    const std::int64_t stopped_blows = system.stopped_blows();
+    const std::int64_t unresolved = system.stopped_blows() + system.unresolved_contacts();
     system.step(time_step);
     drive.note_step(system.exerted(pocket.spacecraft), system.motion(pocket.spacecraft), time_step);
     StepCaution& caution = step_choice.caution();
     caution.note_penetration(system.penetration());
-    const bool has_stopped = system.stopped_blows() > stopped_blows;
-    if (has_stopped) caution.note_stop();
+    const bool is_unresolved = system.stopped_blows() + system.unresolved_contacts() > unresolved;
+    if (is_unresolved) caution.note_unresolved_contacts();
     if (++steps_in_interval == interval_steps) {
       end_interval();
-    } else if (scenario.solver.time_step == 0 && (has_stopped || step_choice.is_outgrown(time_step))) {
+    } else if (scenario.solver.time_step == 0 && (is_unresolved || step_choice.is_outgrown(time_step))) {
       divide_rest();
     }
   }

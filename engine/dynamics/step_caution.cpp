@@ -30,7 +30,7 @@ void StepCaution::follow_contacts() {
   if (deepest < kShallow) for_contacts_ = std::min(1.0, for_contacts_ / kShortening);
 }
 
-void StepCaution::note_stop() { for_contacts_ = std::max(kLeastForContacts, 0.5 * for_contacts_); }
+void StepCaution::note_unresolved_contacts() { for_contacts_ = std::max(kLeastForContacts, 0.5 * for_contacts_); }
 
 // It goes with the square of the step.
 void StepCaution::foresee_energy(double unresolved, double changed_hands) {

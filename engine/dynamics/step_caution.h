@@ -17,9 +17,9 @@ class StepCaution {
  public:
   // Deepest penetration (m) of a contact with a body in a step.
   void note_penetration(double depth) { deepest_ = std::max(deepest_, depth); }
-  // After a step in which blows were stopped at the greatest depth of contacts (contact_solver.h): they are too fast
-  // for such steps. Halves the steps at once.
-  void note_stop();
+  // After a step in which blows were stopped at the greatest depth of contacts, or springs of contacts were too stiff
+  // for it (contact_solver.h). Halves the steps at once.
+  void note_unresolved_contacts();
   // At the end of a stretch of equal steps, of 0.01 s at most.
   void follow_contacts();
   // At the start, of steps of the size that stability allows: what follow_energy is told later.

@@ -8,6 +8,7 @@ namespace netpocket {
 namespace {
 
 using namespace test;
+using Eigen::Vector3d;
 
 ModelBody free_sphere(double radius, double mass) {
   return {.name = "target",
@@ -184,6 +185,27 @@ TEST_F(VerificationContact, RodOnAnIncline) {
     }
     EXPECT_NEAR(rod.centre_velocity(system).x(), 0, 1e-9);
   }
+}
+
+// A cord on the end of a light, slender body, whose inertia there is a hundredth of its mass: springs are as soft as
+// that asks for.
+TEST_F(VerificationContact, EndOfALightSlenderBody) {
+  CableMaterial cord = net_cord();
+  Cable cable = straight_cable(cord, {2.2, 0.45, -1.5}, {2.2, 0.45, 1.5}, 12);
+  for (ModelNode& node : cable.model.nodes) node.velocity = {0, -5, 0};
+  ModelBody body{
+      .name = "target", .shape = Cylinder{0.43, 4.6}, .mass = 0.2, .inertia = Eigen::Matrix3d::Zero(), .state = {}};
+  body.inertia.diagonal() = Vector3d(0.36, 0.018, 0.36);
+  body.state.attitude = Eigen::AngleAxisd(0.5 * M_PI, Vector3d::UnitZ());
+  cable.model.add_body(body);
+  cable.model.contact.restitution = 1;
+  CableSystem system(cable.model);
+  const double dt = 0.9 * system.stable_step().step, start = system.audit().kinetic;
+  advance(system, 0.05, dt);
+  EXPECT_GT(system.contact_impulse(0).norm(), 0.05);
+  EXPECT_EQ(system.unresolved_contacts(), 0);
+  expect_below("energy error of a cord on the end of a light, slender body, of the kinetic energy",
+               std::abs(system.audit().error) / start, 1e-2, "conservation of energy, c_r = 1");
 }
 
 }  // namespace

@@ -352,5 +352,21 @@ TEST_F(VerificationCordContact, NetsFallOnRodsAndOnEachOther) {
   EXPECT_GT(system.position(nets.upper).y(), 0.04);
 }
 
+// Nothing holds cords that are deep in each other and fly apart by themselves, and that spends nothing.
+TEST(CordContactAccount, ClosesWhereDeepOverlapsPart) {
+  const CrossingCords cords(-5);
+  CableSystem system(cords.model);
+  std::vector<Vector3d> displacements(cords.model.nodes.size(), Vector3d::Zero());
+  for (const std::int32_t node : cords.upper) displacements[static_cast<std::size_t>(node)].y() = -0.0495;
+  system.displace(displacements);
+  const double dt = 0.5 * system.stable_step().step;
+  system.step(dt);
+  EXPECT_GT(system.parted_overlaps(), 0);
+  const double kinetic = system.audit().kinetic;
+  for (int i = 0; i < 200; ++i) system.step(dt);
+  EXPECT_EQ(system.cord_contacts().count, 0);
+  EXPECT_LT(std::abs(system.audit().error), 5e-3 * kinetic);
+}
+
 }  // namespace
 }  // namespace netpocket

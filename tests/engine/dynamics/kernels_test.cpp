@@ -37,7 +37,13 @@ constexpr int kSlots = 64;
 // Eight random contacts with a body that turns.
 struct Contacts {
   ContactBlock block{};
-  contact_kernel::BodyMotion body{{0.1, -0.2, 0.3}, {0.4, 0.1, -0.2}, {0.3, -0.5, 0.2}, 1e-2, 3e-3, 8};
+  contact_kernel::BodyMotion body{{0.1, -0.2, 0.3},
+                                  {0.4, 0.1, -0.2},
+                                  {0.3, -0.5, 0.2},
+                                  1e-2,
+                                  {{2e-3, 3e-4, -2e-4}, {3e-4, 1e-3, 1e-4}, {-2e-4, 1e-4, 1.5e-3}},
+                                  3e-3,
+                                  8};
   SlotVectors velocities{kSlots};
   std::vector<double> inverse_mass;
   ContactedSlots contacted{kSlots};
@@ -100,8 +106,13 @@ struct Contacts {
     const Vector3d point = lane_of(block.point, lane), normal = lane_of(block.normal, lane);
     const Vector3d arm = point - Vector3d(body.position);
     const Vector3d surface = Vector3d(body.velocity) + Vector3d(body.angular_velocity).cross(arm);
-    const double w = contacted.inverse_mass(slot(lane), weight(lane), inverse_mass) +
-                     body.contacts * (body.inverse_mass + arm.squaredNorm() * body.inverse_inertia);
+    const Vector3d turn = arm.cross(normal);
+    Eigen::Matrix3d inverse_inertia;
+    for (int axis = 0; axis < 3; ++axis) inverse_inertia.row(axis) = Vector3d(body.inverse_inertia[axis]);
+    const double of_cord = contacted.inverse_mass(slot(lane), weight(lane), inverse_mass);
+    const double w = of_cord + body.contacts * (body.inverse_mass + turn.dot(inverse_inertia * turn));
+    const double across =
+        of_cord + body.contacts * (body.inverse_mass + arm.squaredNorm() * body.largest_inverse_inertia);
     const Vector3d after = combine(contacted, slot(lane), weight(lane)) - surface;
     const NormalLaw law{block.stiffness[lane], block.damping[lane]};
     const double allowed = std::max(block.deepest[lane] - block.penetration[lane], 0.0) / dt;
@@ -110,7 +121,7 @@ struct Contacts {
         stepped_normal_force(law, block.penetration[lane], {before(lane).dot(normal), after.dot(normal)}, w, dt),
         stopping);
     const Vector3d sliding = after - after.dot(normal) * normal;
-    const double resistance = sliding_resistance(friction, friction_velocity, push, sliding.norm(), w, dt);
+    const double resistance = sliding_resistance(friction, friction_velocity, push, sliding.norm(), across, dt);
     return block.share[lane] * (push * normal - resistance * sliding);
   }
 };
