@@ -310,7 +310,7 @@ class ContactSolver::Stop {
 
   // False when nothing is missing.
   bool add_what_is_missing() {
-    constexpr double kSmall = 1e-5;  // m within the step
+    constexpr double kSmall = 1e-3;  // m/s: a load that stays sinks in no faster
     missing_.clear();
     double largest = 0;
     for_each([&](const ContactBlock& block, int lane) {
@@ -318,7 +318,7 @@ class ContactSolver::Stop {
       const double missing = std::max(-allowed - separation_speed(block, lane), 0.0);
       const double w = contacted_.inverse_mass(slots(block, lane), weights(block, lane), inverse_mass_) +
                        shares_ * body_.inverse_mass_at(lane_of(block.point, lane), lane_of(block.normal, lane));
-      largest = std::max(largest, missing * dt_);
+      largest = std::max(largest, missing);
       missing_.push_back(block.share[lane] * missing / (dt_ * w));
     });
     if (!(largest > kSmall)) return false;

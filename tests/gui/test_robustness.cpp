@@ -76,9 +76,7 @@ TEST(RobustnessHardening, KilledRunsAreSoundAndResumeToTheSameBits) {
 TEST(Robustness, ASecondWriterIsRefusedAndReadersAreNot) {
   const TestFolder folder;
   const std::string path = folder.file("run.h5");
-  auto long_run = run_arguments(path, "1000");
-  long_run.insert(long_run.end(), {"--set", "closing.start=1e5"});  // nothing happens, for as long as it takes
-  RunningProgram first(long_run);
+  RunningProgram first(run_arguments(path, "1000"));
   wait_for(path);
   auto arguments = run_arguments(path, "0.1");
   arguments.push_back("--overwrite");
