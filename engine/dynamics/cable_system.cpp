@@ -398,7 +398,8 @@ BodyContactSum CableSystem::body_contacts() const {
 }
 CordContactSum CableSystem::cord_contacts() const {
   if (!impl_->cord_contacts) return {};
-  return {impl_->cord_contacts->count(), impl_->cord_contacts->total_normal_force()};
+  return {impl_->cord_contacts->count(), impl_->cord_contacts->total_normal_force(),
+          impl_->cord_contacts->deepest_overlap()};
 }
 double CableSystem::penetration() const { return impl_->contacts.deepest_penetration(); }
 std::int64_t CableSystem::stopped_blows() const { return impl_->stopped_blows; }

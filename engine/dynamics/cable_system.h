@@ -59,6 +59,7 @@ struct EnergyAudit {
 struct CordContactSum {
   int count = 0;            // places
   double normal_force = 0;  // N, sum over these
+  double overlap = 0;       // the deepest penetration, of the sum of the two radii
 };
 
 // Of rigid bodies that touch each other.

@@ -287,6 +287,12 @@ int CordContact::count() const {
   return static_cast<int>(std::ranges::count_if(contacts_, [](const Contact& c) { return c.normal_force > 0; }));
 }
 
+double CordContact::deepest_overlap() const {
+  double deepest = 0;
+  for (const Contact& contact : contacts_) deepest = std::max(deepest, 1 - contact.distance / contact.reach);
+  return deepest;
+}
+
 double CordContact::total_normal_force() const {
   double sum = 0;
   for (const Contact& contact : contacts_) sum += contact.normal_force;

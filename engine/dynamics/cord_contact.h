@@ -70,6 +70,8 @@ class CordContact {
   std::int64_t partings() const { return partings_; }
   // Contacts that bear force.
   int count() const;
+  // Deepest penetration, of the sum of the two radii.
+  double deepest_overlap() const;
   // Sum of the normal forces, N.
   double total_normal_force() const;
 

@@ -1,9 +1,11 @@
-// The search for contact of cords with a body against brute force, at every step of random scenes.
+// The search for contact of cords with a body and with each other against brute force, at every step of random scenes.
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <random>
 
+#include "engine/bodies/segment_distance.h"
 #include "engine/contact/contact_part.h"
 #include "engine/dynamics/cord_polyline.h"
 #include "tests/engine/bodies/mesh_samples.h"
@@ -47,6 +49,8 @@ class Scene {
     return system;
   }
 
+  const Model& model() const { return model_; }
+
  private:
   double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(generator_); }
   bool one_in(int count) { return std::uniform_int_distribution<int>(1, count)(generator_) == 1; }
@@ -77,16 +81,17 @@ class Scene {
     }
   }
 
-  // Some way off the surface, towards which its loads pull it.
+  // Some way off the surface, towards which its loads pull it; often over the cord before.
   void add_cord(const Shape& shape, const Eigen::Matrix3d& rotation) {
-    Vector3d place = bounding_radius(shape) * direction();
+    if (!one_in(2)) towards_ = direction();
+    Vector3d place = bounding_radius(shape) * towards_;
     const SurfacePoint surface = nearest_surface_point(shape, place);
     place += (between(0.002, 0.05) + model_.materials[material_].radius - surface.distance) * surface.normal;
     const Vector3d inward = -(rotation * surface.normal), middle = rotation * place;
     const Vector3d half = between(0.1, 0.6) * direction().cross(inward).normalized();
     const std::int32_t begin = model_.add_node(middle - half), end = model_.add_node(middle + half);
-    const std::vector<std::int32_t> elements =
-        model_.add_straight_cable(begin, end, 1 + static_cast<int>(one_in(2)), material_);
+    const std::vector<std::int32_t> elements = model_.add_straight_cable(
+        begin, end, 1 + static_cast<int>(one_in(2)), material_, ElementKind::cable, model_.add_thread("cord"));
     const double acceleration = one_in(3) ? 0 : between(0, 1000), speed = one_in(2) ? 0 : between(0, 30);
     for (const std::int32_t element : elements) {
       const ModelElement& e = model_.elements[element];
@@ -105,6 +110,7 @@ class Scene {
   }
 
   std::mt19937 generator_;
+  Vector3d towards_ = Vector3d::UnitX();  // where the last cord was put
   Model model_;
   std::int32_t material_ = 0;
 };
@@ -134,6 +140,12 @@ std::vector<Chain> chains(const Model& model, const Snapshot& snapshot) {
   return result;
 }
 
+std::vector<Chain> chains_of(CableSystem system) {
+  Snapshot snapshot;
+  system.capture(snapshot);
+  return chains(system.model(), snapshot);
+}
+
 // The deepest of many points along all cords; where one solid of a satellite ends another may begin, so each counts by
 // itself.
 double deepest_by_trial(const Model& model, const std::vector<Chain>& chains, const BodyState& body) {
@@ -154,13 +166,46 @@ double deepest_by_trial(const Model& model, const std::vector<Chain>& chains, co
   return deepest;
 }
 
+using ThreadPair = std::pair<std::int32_t, std::int32_t>;
+
+// Deepest overlap of two cords (of the sum of their radii), by all pairs of their capsules.
+std::map<ThreadPair, double> overlaps(const Model& model, const std::vector<Chain>& chains) {
+  std::map<ThreadPair, double> result;
+  for (std::size_t a = 0; a < chains.size(); ++a) {
+    for (std::size_t b = a + 1; b < chains.size(); ++b) {
+      const ThreadPair threads = {model.elements[a].thread, model.elements[b].thread};
+      if (threads.first == threads.second) continue;
+      const double reach =
+          model.radius_of(static_cast<std::int32_t>(a)) + model.radius_of(static_cast<std::int32_t>(b));
+      for (std::size_t i = 0; i + 1 < chains[a].size(); ++i) {
+        for (std::size_t j = 0; j + 1 < chains[b].size(); ++j) {
+          const Segment one{chains[a][i], chains[a][i + 1]}, other{chains[b][j], chains[b][j + 1]};
+          double& deepest = result[threads];
+          deepest = std::max(deepest, 1 - closest_points(one, other).distance / reach);
+        }
+      }
+    }
+  }
+  return result;
+}
+
+// Cords that lie in one another as built stand for one that is reeved through the other: they may.
+double deepest_overlap(const std::map<ThreadPair, double>& as_built, const std::map<ThreadPair, double>& now) {
+  double deepest = 0;
+  for (const auto& [threads, overlap] : now) {
+    if (as_built.at(threads) <= 0) deepest = std::max(deepest, overlap);
+  }
+  return deepest;
+}
+
 TEST(MissedContact, NothingIsMissedInRandomScenes) {
   constexpr double kTolerance = 2e-5;  // m, between tried points
-  int touching = 0;
+  int touching = 0, crossing = 0;
   for (unsigned seed = 1; seed <= 1000; ++seed) {
     Scene scene(seed);
     CableSystem system = scene.system();
     const double dt = 0.5 * system.stable_step().step;
+    const auto as_built = overlaps(system.model(), chains_of(CableSystem(scene.model())));
     for (int step = 0; step < 60 && !system.fault(); ++step) {
       Snapshot snapshot;
       system.capture(snapshot);
@@ -168,10 +213,14 @@ TEST(MissedContact, NothingIsMissedInRandomScenes) {
       const double deepest = deepest_by_trial(system.model(), now, snapshot.bodies[0]);
       if (deepest > kTolerance) ++touching;
       ASSERT_GE(system.penetration(), 0.5 * deepest - kTolerance) << "seed " << seed << ", step " << step;
+      const double overlap = deepest_overlap(as_built, overlaps(system.model(), now));
+      if (overlap > 0) ++crossing;
+      ASSERT_GE(system.cord_contacts().overlap, overlap - 1e-9) << "seed " << seed << ", step " << step;
       for (int i = 0; i < 3; ++i) system.step(dt);
     }
   }
   EXPECT_GT(touching, 2000);
+  EXPECT_GT(crossing, 500);
 }
 
 }  // namespace
