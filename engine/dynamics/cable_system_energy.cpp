@@ -135,7 +135,7 @@ EnergyAudit CableSystem::Impl::audit() {
   result.kinetic = kinetic_energy(velocity) + flow.kinetic;
   result.unresolved = unresolved_energy(velocity);
   result.strain = strain_energy();
-  const contact_kernel::ContactPower power = contact_power();
+  const contact_kernel::ContactPower power = contact_power(contacts.dissipated_power_before());
   result.contact = contacts.stored_energy();
   if (cord_contacts) result.contact += cord_contacts->stored_energy();
   if (body_contacts) result.contact += body_contacts->stored_energy();

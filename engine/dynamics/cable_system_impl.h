@@ -74,9 +74,10 @@ struct CableSystem::Impl {
   double cords_way = 0;
   std::int64_t step_of_speed = -1;  // at which cord_speed has been found; -1: what it follows has changed since
   double cord_speed = 0;            // m/s, of any point at most
+  double moved_speed = 0;           // the same, of what was last moved by its own mass
   std::vector<double> bodies_way;
-  std::vector<double> attachments_reach;  // m, by body: farthest of what hangs on it
-  std::vector<double> noted_rope_length;  // m, of an element, by rope, then
+  std::vector<double> attachments_reach;       // m, by body: farthest of what hangs on it
+  std::vector<double> noted_rope_length;       // m, of an element, by rope, then
   std::unique_ptr<BodyContact> body_contacts;  // none: bodies pass through each other
 
   // Forces of the present state.
@@ -99,7 +100,7 @@ struct CableSystem::Impl {
   // Accounts since the start.
   SpentEnergy spent;
   double input_work = 0, initial_energy = 0, initial_input = 0;
-  double reference_step = 0;  // s, that the stiffness of contacts is for; 0: no step yet
+  double reference_step = 0;                   // s, that the stiffness of contacts is for; 0: no step yet
   std::vector<Eigen::Vector3d> impulses;       // of cords, by body
   std::vector<Eigen::Vector3d> body_impulses;  // of other bodies, by body
   double deepest_penetration = 0;
@@ -128,16 +129,17 @@ struct CableSystem::Impl {
   void add_hinges(double dt);
   void find_contacts(double dt);
   void add_contacts(double dt);
-  contact_kernel::ContactPower contact_power() const;
+  contact_kernel::ContactPower contact_power(contact_kernel::ContactPower on_bodies) const;
   void touch_bodies(double dt);
   void find_cord_speed();
+  void note_cord_speed();
   void note_motion();
   void set_reference_step(double dt);
   void compute_forces(double dt);
   void keep_forces_current(double dt);
   void forget_forces() { step_of_forces = step_of_audit = -1; }
-  void kick_and_drift(SlotVectors& v, SlotVectors& x, const AlignedVector<double>& inverse_masses, double kick,
-                      double drift);
+  slot_kernel::Fastest kick_and_drift(SlotVectors& v, SlotVectors& x, const AlignedVector<double>& inverse_masses,
+                                      double kick, double drift);
   void move_slots(SlotVectors& v, SlotVectors& x, double kick, double drift);
   void step(double dt);
   double step_body(std::size_t body, double kick, double dt);

@@ -28,6 +28,9 @@ const Kernels& kernels() {
   return chosen;
 }
 
+// Of two that are not negative: not a number if one of them is none.
+double larger_or_none(double a, double b) { return a >= b || a != a ? a : b; }
+
 }  // namespace
 
 DividedLoop CableSystem::Impl::loop() {
@@ -95,18 +98,13 @@ void CableSystem::Impl::add_contacts(double dt) {
   if (cord_contacts) cord_contacts->add_forces(velocities, contacted, inverse_mass, dt, applied);
 }
 
-// What all contacts take out of the motion now.
-contact_kernel::ContactPower CableSystem::Impl::contact_power() const {
-  contact_kernel::ContactPower power = contacts.dissipated_power(velocities, bodies);
-  if (cord_contacts) {
-    const contact_kernel::ContactPower of_cords = cord_contacts->dissipated_power(velocities);
-    power.damping += of_cords.damping;
-    power.friction += of_cords.friction;
-  }
+// What all contacts take out of the motion now; `on_bodies`: those of cords with bodies.
+contact_kernel::ContactPower CableSystem::Impl::contact_power(contact_kernel::ContactPower on_bodies) const {
+  contact_kernel::ContactPower power = on_bodies;
+  if (cord_contacts) power += cord_contacts->dissipated_power(velocities);
   if (body_contacts) {
     const BodyContact::Power of_bodies = body_contacts->power(bodies);
-    power.damping += of_bodies.damping;
-    power.friction += of_bodies.friction;
+    power += contact_kernel::ContactPower{of_bodies.damping, of_bodies.friction};
   }
   return power;
 }
@@ -114,6 +112,18 @@ contact_kernel::ContactPower CableSystem::Impl::contact_power() const {
 void CableSystem::Impl::find_cord_speed() {
   if (step_of_speed == steps) return;
   cord_speed = motion.speed(velocities, loop());
+  step_of_speed = steps;
+}
+
+// The same from what the kernel has found, and from the bodies for what hangs on them.
+void CableSystem::Impl::note_cord_speed() {
+  cord_speed = moved_speed;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    if (bodies[b].attachments().empty()) continue;
+    const RigidBody& body = bodies[b].rigid();
+    cord_speed =
+        larger_or_none(cord_speed, body.velocity().norm() + body.angular_velocity().norm() * attachments_reach[b]);
+  }
   step_of_speed = steps;
 }
 
@@ -215,26 +225,32 @@ void CableSystem::Impl::sum_forces(std::span<const std::int32_t> slot_blocks, do
   kernels().sum_forces(forces_view(), slot_blocks.data(), slot_blocks.size(), rows);
 }
 
-// v += kick M^-1 F, x += drift v with a diagonal mass.
-void CableSystem::Impl::kick_and_drift(SlotVectors& v, SlotVectors& x, const AlignedVector<double>& inverse_masses,
-                                       double kick, double drift) {
+// v += kick M^-1 F, x += drift v with a diagonal mass. Returns the fastest that came of it.
+slot_kernel::Fastest CableSystem::Impl::kick_and_drift(SlotVectors& v, SlotVectors& x,
+                                                       const AlignedVector<double>& inverse_masses, double kick,
+                                                       double drift) {
   slot_kernel::UpdateView view = forces_view();
   view.inverse_mass = inverse_masses.data();
   view.coordinates = x.data();
   view.velocities = v.data();
-  const auto update = [&](int first, int last) { kernels().update(view, first, last, kick, drift); };
-  if (team) {
-    team->run(assembly.block_count(), kChunk, update);
-  } else {
-    update(0, assembly.block_count());
+  view.weight = motion.weights();
+  view.gradient_block = layout.gradient(0) / kBlockSize;
+  const auto update = [&](int first, int last) { return kernels().update(view, first, last, kick, drift); };
+  if (!team) return update(0, assembly.block_count());
+  slot_kernel::Fastest fastest;
+  for (const slot_kernel::Fastest& part :
+       values_of_ranges<slot_kernel::Fastest>(loop(), assembly.block_count(), kChunk, update)) {
+    fastest = {larger_or_none(fastest.position, part.position), larger_or_none(fastest.gradient, part.gradient)};
   }
+  return fastest;
 }
 
 // The same with the evaluation's mass. With the consistent one the forces are first collected: they are what a kick
 // with unit masses adds to velocities that were zero.
 void CableSystem::Impl::move_slots(SlotVectors& v, SlotVectors& x, double kick, double drift) {
   if (!consistent_mass) {
-    kick_and_drift(v, x, inverse_mass, kick, drift);
+    const slot_kernel::Fastest fastest = kick_and_drift(v, x, inverse_mass, kick, drift);
+    moved_speed = MotionBound::speed(fastest.position, fastest.gradient);
     return;
   }
   forces.set_zero();
@@ -260,7 +276,7 @@ void CableSystem::Impl::step(double dt) {
   keep_forces_current(dt);
   // Velocities stand half a step of the previous size before the positions; at the start they stand with them.
   const double kick = 0.5 * (last_dt + dt);
-  const contact_kernel::ContactPower before = contact_power();
+  const contact_kernel::ContactPower before = contact_power(contacts.dissipated_power_before());
   input_work += kick * element_power.fed;
   spent.in_cords += kick * element_power.dissipated;
   spent.at_hinges += kick * hinge_power;
@@ -279,14 +295,18 @@ void CableSystem::Impl::step(double dt) {
   ropes.finish_step();
   for (std::size_t b = 0; b < bodies.size(); ++b) input_work += step_body(b, kick, dt);
   for (DynamicBody& body : bodies) body.move_attachments(coordinates, velocities);
-  const contact_kernel::ContactPower after = contact_power();
+  const contact_kernel::ContactPower after = contact_power(contacts.dissipated_power(velocities, bodies));
   // Rounding aside neither is negative.
   spent.in_contacts += std::max(0.5 * kick * (before.damping + after.damping), 0.0);
   spent.by_friction += std::max(0.5 * kick * (before.friction + after.friction), 0.0);
   time += dt;
   last_dt = dt;
   ++steps;
-  find_cord_speed();
+  if (consistent_mass) {
+    find_cord_speed();
+  } else {
+    note_cord_speed();
+  }
   cords_way += dt * cord_speed;  // of all that moves by itself
 }
 

@@ -261,16 +261,20 @@ void forces(const ForceView& view, const BodyMotion& body, ContactBlock* contact
       const Lanes w = of_cord + broadcast(body.contacts) * inverse_mass_along(body, arm, normal);
       const Lanes across = of_cord + broadcast(body.contacts) * largest_inverse_mass(body, arm);
       const Lanes3 before = velocity_at_slots(view.velocities, c, part) - surface;
+      const Lanes approach = dot(before, normal);
       const Lanes3 after = velocity_at_places(view.predicted, c, part) - surface;
       const Lanes separation = dot(after, normal);
       const Lanes elastic = spring_force(c, part), share = load(c.share, part);
-      const auto [push, is_stopped, is_unresolved] =
-          normal_force(view, c, part, elastic, dot(before, normal), separation, w);
+      const auto [push, is_stopped, is_unresolved] = normal_force(view, c, part, elastic, approach, separation, w);
       const Lanes3 sliding = after - separation * normal;
       const Lanes3 force = push * normal - resistance(view, push, square_root(dot(sliding, sliding)), across) * sliding;
-      store3(c.force[0], 0, part, share * force);
-      store(c.normal_force, part, share * push);
-      store(c.elastic, part, share * elastic);
+      const Lanes3 shared_force = share * force;
+      const Lanes shared_push = share * push, shared_elastic = share * elastic;
+      store3(c.force[0], 0, part, shared_force);
+      store(c.normal_force, part, shared_push);
+      store(c.elastic, part, shared_elastic);
+      store(c.damping_power, part, -((shared_push - shared_elastic) * approach));
+      store(c.friction_power, part, shared_push * approach - dot(shared_force, before));
       store(c.is_stopped, part, is_stopped);
       store(c.is_unresolved, part, is_unresolved);
     }

@@ -23,6 +23,7 @@ struct alignas(64) ContactBlock {
   double elastic[kBlockSize];                         // N, of the spring alone
   double is_stopped[kBlockSize];     // 1 where the force ends the approach at the greatest depth, else 0
   double is_unresolved[kBlockSize];  // 1 where the spring is too stiff for the step (force_law.h: theta > 0), else 0
+  double damping_power[kBlockSize], friction_power[kBlockSize];  // W, at the velocities before the step (PowerKernel)
   std::int32_t slot[4][kBlockSize];
   std::int32_t place[4][kBlockSize];  // of the slot's block in ContactedSlots
   std::int32_t element[kBlockSize];
@@ -77,6 +78,12 @@ using ForceKernel = void (*)(const ForceView& view, const BodyMotion& body, Cont
 struct ContactPower {
   double damping = 0;  // by the dampers, and by what stops a cord within a step
   double friction = 0;
+
+  ContactPower& operator+=(const ContactPower& other) {
+    damping += other.damping;
+    friction += other.friction;
+    return *this;
+  }
 };
 using PowerKernel = ContactPower (*)(const SlotRows& velocities, const BodyMotion& body, const ContactBlock* contacts,
                                      std::size_t count);

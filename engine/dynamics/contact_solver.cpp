@@ -59,6 +59,17 @@ int count_marked(std::span<const ContactBlock> contacts, const double (ContactBl
   return count;
 }
 
+// What the kernel of the forces has found, for contacts that are not stopped.
+contact_kernel::ContactPower stored_power(std::span<const ContactBlock> contacts) {
+  contact_kernel::ContactPower power;
+  for (const ContactBlock& block : contacts) {
+    for (int lane = 0; lane < block.count; ++lane) {
+      power += contact_kernel::ContactPower{block.damping_power[lane], block.friction_power[lane]};
+    }
+  }
+  return power;
+}
+
 // Lanes without a contact read what the first one reads, and exert nothing.
 void fill_idle_lanes(ContactBlock& block) {
   for (int lane = block.count; lane < kBlockSize; ++lane) {
@@ -364,6 +375,7 @@ void ContactSolver::add_forces(const SlotVectors& velocities, ContactedSlots& co
                                        .friction_velocity = settings_.friction_velocity,
                                        .dt = dt};
   stops_ = unresolved_ = 0;
+  power_before_ = {};
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     body_force_[b].setZero();
     const Partner& partner = partners_[b];
@@ -371,10 +383,12 @@ void ContactSolver::add_forces(const SlotVectors& velocities, ContactedSlots& co
     const std::span<ContactBlock> contacts(contacts_.data() + partner.first, partner.last - partner.first);
     kernels().forces(view, motion_of(bodies[b], partner.shares), contacts.data(), contacts.size());
     unresolved_ += count_marked(contacts, &ContactBlock::is_unresolved);
-    if (const int count = count_marked(contacts, &ContactBlock::is_stopped); count > 0) {
-      stops_ += count;
+    const int stopped = count_marked(contacts, &ContactBlock::is_stopped);
+    if (stopped > 0) {
+      stops_ += stopped;
       Stop(contacts, bodies[b].rigid(), partner.shares, contacted, inverse_mass, dt).complete();
     }
+    power_before_ += stopped > 0 ? power_of(b, velocities.rows(), bodies[b]) : stored_power(contacts);
     for_each_corner(contacts, [&](const ContactBlock& block, int lane, int corner) {
       applied.add(block.slot[corner][lane], block.weight[corner][lane] * lane_of(block.force, lane));
     });
@@ -401,17 +415,18 @@ double ContactSolver::stored_energy() const {
   return energy;
 }
 
+contact_kernel::ContactPower ContactSolver::power_of(std::size_t body, const SlotRows& velocities,
+                                                     const DynamicBody& dynamic) const {
+  const Partner& partner = partners_[body];
+  return kernels().power(velocities, motion_of(dynamic, partner.shares), contacts_.data() + partner.first,
+                         partner.last - partner.first);
+}
+
 contact_kernel::ContactPower ContactSolver::dissipated_power(const SlotVectors& velocities,
                                                              const std::vector<DynamicBody>& bodies) const {
   contact_kernel::ContactPower total;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const Partner& partner = partners_[b];
-    if (partner.first == partner.last) continue;
-    const contact_kernel::ContactPower power =
-        kernels().power(velocities.rows(), motion_of(bodies[b], partner.shares), contacts_.data() + partner.first,
-                        partner.last - partner.first);
-    total.damping += power.damping;
-    total.friction += power.friction;
+    if (partners_[b].first < partners_[b].last) total += power_of(b, velocities.rows(), bodies[b]);
   }
   return total;
 }

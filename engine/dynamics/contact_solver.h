@@ -53,7 +53,9 @@ class ContactSolver {
 
   // Energy in the springs (J) at the state that find was given.
   double stored_energy() const;
-  // What the contacts take out of the motion at these velocities, besides what their springs store.
+  // What the contacts take out of the motion, besides what their springs store: at the velocities that add_forces was
+  // given, and at these.
+  contact_kernel::ContactPower dissipated_power_before() const { return power_before_; }
   contact_kernel::ContactPower dissipated_power(const SlotVectors& velocities,
                                                 const std::vector<DynamicBody>& bodies) const;
 
@@ -86,6 +88,7 @@ class ContactSolver {
     double shares = 0;                // sum of its contacts' shares
   };
   class Stop;
+  contact_kernel::ContactPower power_of(std::size_t body, const SlotRows& velocities, const DynamicBody& dynamic) const;
   struct BodySums {
     SectorSum<Eigen::Vector3d> force, torque;  // N, N m
   };
@@ -120,6 +123,7 @@ class ContactSolver {
   std::vector<Eigen::Vector3d> body_force_;
   double deepest_penetration_ = 0;
   int stops_ = 0, unresolved_ = 0;
+  contact_kernel::ContactPower power_before_;
 };
 
 }  // namespace netpocket

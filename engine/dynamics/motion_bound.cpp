@@ -66,9 +66,10 @@ double MotionBound::speed(const SlotVectors& velocities, const DividedLoop& loop
                           static_cast<std::size_t>(last - first));
         }));
   };
-  return std::sqrt(fastest(0, first_gradient_)) +
-         std::sqrt(fastest(first_gradient_, SlotLayout::padded(gradient_count_)));
+  return speed(fastest(0, first_gradient_), fastest(first_gradient_, SlotLayout::padded(gradient_count_)));
 }
+
+double MotionBound::speed(double position, double gradient) { return std::sqrt(position) + std::sqrt(gradient); }
 
 double MotionBound::way(const SlotVectors& before, const SlotVectors& now, const DividedLoop& loop) const {
   return largest(loop,

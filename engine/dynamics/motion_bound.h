@@ -18,6 +18,10 @@ class MotionBound {
 
   // m/s; not a number where one of the velocities is none.
   double speed(const SlotVectors& velocities, const DividedLoop& loop = undivided_loop) const;
+  // The same from the largest (weight |v|)^2 of positions and gradients; not a number where one of them is none.
+  static double speed(double position, double gradient);
+  // By slot: 1 of nodes, a quarter of the longest element there (m) of gradients; 0 of what only fills blocks.
+  const double* weights() const { return weights_.data(); }
   // m, between two states of elements that stay as long as they are; not a number where one of the coordinates is none.
   double way(const SlotVectors& before, const SlotVectors& now, const DividedLoop& loop = undivided_loop) const;
 
@@ -28,7 +32,7 @@ class MotionBound {
 
   std::int32_t node_count_, first_gradient_, gradient_count_;
   Eigen::Array<double, kBlockSize, Eigen::Dynamic> quarter_length_;  // m, by gradient, of the longest element there
-  AlignedVector<double> weights_;  // by slot: 1 of nodes, quarter_length_ of gradients; 0 of what only fills blocks
+  AlignedVector<double> weights_;
 };
 
 }  // namespace netpocket

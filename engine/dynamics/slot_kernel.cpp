@@ -44,10 +44,29 @@ NETPOCKET_INLINE void add_irregular(const UpdateView& view, const SlotBlock& blo
   }
 }
 
-NETPOCKET_INLINE void move(double* coordinate, double* velocity, int part, const Lanes& change, const Lanes& drift) {
+// Returns the new velocity.
+NETPOCKET_INLINE Lanes move(double* coordinate, double* velocity, int part, const Lanes& change, const Lanes& drift) {
   const Lanes v = load(velocity, part) + change;
   store(velocity, part, v);
   store(coordinate, part, load(coordinate, part) + drift * v);
+  return v;
+}
+
+// Of one kind of slots. Maxima do not see what is no number, sums do.
+struct LargestSquare {
+  Lanes largest = {}, sum = {};
+};
+NETPOCKET_INLINE void note(LargestSquare& of, const Lanes& square) {
+  of.largest = larger(of.largest, square);
+  of.sum = of.sum + square;
+}
+NETPOCKET_INLINE double value(const LargestSquare& of) {
+  double largest = 0, sum = 0;
+  for (int lane = 0; lane < kWidth; ++lane) {
+    largest = of.largest[lane] > largest ? of.largest[lane] : largest;
+    sum += of.sum[lane];
+  }
+  return sum != sum ? sum : largest;
 }
 
 NETPOCKET_INLINE Lanes3 force_on(const UpdateView& view, const SlotBlock& block, int part) {
@@ -79,20 +98,25 @@ void sum_forces(const UpdateView& view, const std::int32_t* slot_blocks, std::si
   }
 }
 
-void update(const UpdateView& view, int first, int last, double kick, double drift) {
+Fastest update(const UpdateView& view, int first, int last, double kick, double drift) {
+  LargestSquare fastest[2];
   for (int i = first; i < last; ++i) {
     const SlotBlock& block = view.blocks[i];
     const std::ptrdiff_t row = static_cast<std::ptrdiff_t>(block.slot_block) * (kSlotRows * kBlock);
     double *x = view.coordinates + row, *v = view.velocities + row;
     for (int part = 0; part < kParts; ++part) {
       const Lanes3 force = force_on(view, block, part);
-      const Lanes gain =
-          broadcast(kick) * load(view.inverse_mass + static_cast<std::ptrdiff_t>(block.slot_block) * kBlock, part);
-      move(x, v, part, gain * force.x, broadcast(drift));
-      move(x + kBlock, v + kBlock, part, gain * force.y, broadcast(drift));
-      move(x + 2 * kBlock, v + 2 * kBlock, part, gain * force.z, broadcast(drift));
+      const std::ptrdiff_t slot = static_cast<std::ptrdiff_t>(block.slot_block) * kBlock;
+      const Lanes gain = broadcast(kick) * load(view.inverse_mass + slot, part);
+      const Lanes vx = move(x, v, part, gain * force.x, broadcast(drift));
+      const Lanes vy = move(x + kBlock, v + kBlock, part, gain * force.y, broadcast(drift));
+      const Lanes vz = move(x + 2 * kBlock, v + 2 * kBlock, part, gain * force.z, broadcast(drift));
+      const Lanes weight = load(view.weight + slot, part);
+      LargestSquare& of_kind = fastest[block.slot_block < view.gradient_block ? 0 : 1];
+      note(of_kind, (weight * weight) * ((vx * vx + vz * vz) + vy * vy));
     }
   }
+  return {value(fastest[0]), value(fastest[1])};
 }
 
 }  // namespace netpocket::slot_kernel::NETPOCKET_ISA_NAME

@@ -52,23 +52,30 @@ struct UpdateView {
   const std::uint8_t* loaded;  // by block of slots: 0 where `applied` is zero, so that it need not be read
   double* coordinates;         // SlotRows
   double* velocities;
+  const double* weight;         // by slot, for Fastest
+  std::int32_t gradient_block;  // the first block of slots that are gradients
 };
 
-// v += kick M^-1 F, x += drift v on view.blocks [first, last).
-using Kernel = void (*)(const UpdateView& view, int first, int last, double kick, double drift);
+// The largest (weight |v|)^2 of positions and of gradients; not a number where one of them is none.
+struct Fastest {
+  double position = 0, gradient = 0;
+};
+
+// v += kick M^-1 F, x += drift v on view.blocks [first, last). Returns the fastest of these.
+using Kernel = Fastest (*)(const UpdateView& view, int first, int last, double kick, double drift);
 // Sums all forces on each of `count` blocks of slots into three rows of `forces` (64-byte aligned).
 using SumKernel = void (*)(const UpdateView& view, const std::int32_t* slot_blocks, std::size_t count, double* forces);
 
 namespace baseline {
-void update(const UpdateView& view, int first, int last, double kick, double drift);
+Fastest update(const UpdateView& view, int first, int last, double kick, double drift);
 void sum_forces(const UpdateView& view, const std::int32_t* slot_blocks, std::size_t count, double* forces);
 }  // namespace baseline
 namespace avx2 {
-void update(const UpdateView& view, int first, int last, double kick, double drift);
+Fastest update(const UpdateView& view, int first, int last, double kick, double drift);
 void sum_forces(const UpdateView& view, const std::int32_t* slot_blocks, std::size_t count, double* forces);
 }  // namespace avx2
 namespace avx512 {
-void update(const UpdateView& view, int first, int last, double kick, double drift);
+Fastest update(const UpdateView& view, int first, int last, double kick, double drift);
 void sum_forces(const UpdateView& view, const std::int32_t* slot_blocks, std::size_t count, double* forces);
 }  // namespace avx512
 

@@ -269,8 +269,19 @@ std::vector<double> updated(Batch state, slot_kernel::Kernel kernel, const Assem
   view.loaded = loaded.data();
   view.coordinates = state.coordinates.data();
   view.velocities = state.velocities.data();
-  kernel(view, 0, assembly.block_count(), 0.01, 0.02);
+  const AlignedVector<double> weight(static_cast<std::size_t>(state.coordinates.size()), 0.5);
+  view.weight = weight.data();
+  view.gradient_block = assembly.block_count() / 2;
+  const slot_kernel::Fastest fastest = kernel(view, 0, assembly.block_count(), 0.01, 0.02);
   std::vector<double> values;
+  double squares[2] = {};
+  for (std::int32_t slot = 0; slot < state.coordinates.size(); ++slot) {
+    double& largest = squares[slot / kBlockSize < view.gradient_block ? 0 : 1];
+    largest = std::max(largest, 0.25 * state.velocities.get(slot).squaredNorm());
+  }
+  EXPECT_NEAR(fastest.position, squares[0], 1e-12 * squares[0]);
+  EXPECT_NEAR(fastest.gradient, squares[1], 1e-12 * squares[1]);
+  EXPECT_GT(squares[0] * squares[1], 0);
   for (std::int32_t slot = 0; slot < state.coordinates.size(); ++slot) {
     for (int axis = 0; axis < 3; ++axis) {
       values.push_back(state.coordinates.get(slot)[axis]);
