@@ -21,7 +21,7 @@ constexpr double kPreference = 0.01;
 // Part of that radius by which a corner may lie outside a face's side and still counts as inside: aligned solids.
 constexpr double kAligned = 1e-9;
 // Square of the sine between edges below which they have no product.
-constexpr double kParallel = 1e-12;
+constexpr double kParallelEdges = 1e-12;
 
 // Unit vectors (cosine, sine) of evenly spread angles from 0 on, by bisection: what a quarter turn brings to each other
 // is equal to the last bit, on any processor.
@@ -87,7 +87,7 @@ void Polytope::add_edge(std::int32_t begin, std::int32_t end) {
   if (begin > end) return;
   const Vector3d direction = unit(vertices_[end] - vertices_[begin]);
   for (EdgeClass& parallel : edge_classes_) {
-    if (symmetric_squared_norm(parallel.direction.cross(direction)) > kParallel) continue;
+    if (symmetric_squared_norm(parallel.direction.cross(direction)) > kParallelEdges) continue;
     parallel.edges.push_back({begin, end});
     return;
   }
@@ -177,7 +177,7 @@ class Pair {
       for (const Polytope::EdgeClass& others : second_.edge_classes()) {
         const Vector3d product = direction.cross(others.direction);
         const double square = symmetric_squared_norm(product);
-        if (square > kParallel) consider(best, product / std::sqrt(square), 0);
+        if (square > kParallelEdges) consider(best, product / std::sqrt(square), 0);
       }
     }
     return best;

@@ -16,7 +16,7 @@ using Part = TouchableShape::Part;
 // Part of the smaller shape's radius within which features of meshes are kept.
 constexpr double kMargin = 0.05;
 // Square of the sine between edges below which they do not cross.
-constexpr double kParallel = 1e-6;
+constexpr double kParallelAxes = 1e-6;
 
 Part make_part(const Shape& solid, const Vector3d& centre) {
   Part part{solid, centre, bounding_radius(solid), std::nullopt, {}};
@@ -154,7 +154,7 @@ std::optional<Touch> crossing(const FeatureEdge& a, const FeatureEdge& b) {
   const Vector3d along_a = a.end - a.begin, along_b = b.end - b.begin;
   Vector3d normal = along_a.cross(along_b);
   const double square = symmetric_squared_norm(normal);
-  if (square < kParallel * symmetric_squared_norm(along_a) * symmetric_squared_norm(along_b)) return std::nullopt;
+  if (square < kParallelAxes * symmetric_squared_norm(along_a) * symmetric_squared_norm(along_b)) return std::nullopt;
   normal /= std::sqrt(square);
   if (!b.looks(normal)) normal = -normal;
   if (!b.looks(normal) || !a.looks(-normal)) return std::nullopt;

@@ -14,14 +14,14 @@ namespace {
 // number of threads.
 constexpr int kChunk = 32;
 
-struct Kernels {
+struct StepKernels {
   slot_kernel::Kernel update;
   slot_kernel::SumKernel sum_forces;
   hinge_kernel::Kernel hinges;
 };
 
-const Kernels& kernels() {
-  static const Kernels chosen = {
+const StepKernels& step_kernels() {
+  static const StepKernels chosen = {
       choose_variant(slot_kernel::baseline::update, slot_kernel::avx2::update, slot_kernel::avx512::update),
       choose_variant(slot_kernel::baseline::sum_forces, slot_kernel::avx2::sum_forces, slot_kernel::avx512::sum_forces),
       choose_variant(hinge_kernel::baseline::forces, hinge_kernel::avx2::forces, hinge_kernel::avx512::forces)};
@@ -74,7 +74,7 @@ void CableSystem::Impl::add_hinges(double dt) {
       std::copy_n(body.rotation().data(), 9, axes.rotation);
       std::copy_n(body.angular_velocity().data(), 3, axes.angular_velocity);
     }
-    kernels().hinges(coordinates.rows(), velocities.rows(), inverse_mass.data(), dt, axes, block);
+    step_kernels().hinges(coordinates.rows(), velocities.rows(), inverse_mass.data(), dt, axes, block);
     for (int lane = 0; lane < block.count; ++lane) {
       applied.add(block.gradient1[lane], lane_of(block.on_gradient1, lane));
       applied.add(block.gradient2[lane], lane_of(block.on_gradient2, lane));
@@ -222,7 +222,7 @@ slot_kernel::UpdateView CableSystem::Impl::forces_view() {
 }
 
 void CableSystem::Impl::sum_forces(std::span<const std::int32_t> slot_blocks, double* rows) {
-  kernels().sum_forces(forces_view(), slot_blocks.data(), slot_blocks.size(), rows);
+  step_kernels().sum_forces(forces_view(), slot_blocks.data(), slot_blocks.size(), rows);
 }
 
 // v += kick M^-1 F, x += drift v with a diagonal mass. Returns the fastest that came of it.
@@ -235,7 +235,7 @@ slot_kernel::Fastest CableSystem::Impl::kick_and_drift(SlotVectors& v, SlotVecto
   view.velocities = v.data();
   view.weight = motion.weights();
   view.gradient_block = layout.gradient(0) / kBlockSize;
-  const auto update = [&](int first, int last) { return kernels().update(view, first, last, kick, drift); };
+  const auto update = [&](int first, int last) { return step_kernels().update(view, first, last, kick, drift); };
   if (!team) return update(0, assembly.block_count());
   slot_kernel::Fastest fastest;
   for (const slot_kernel::Fastest& part :

@@ -20,15 +20,16 @@ constexpr int kSegmentsOfHalf = kSegments / ContactSearch::kHalves;
 // Of a sphere, in lengths of an element, from which on parabolas follow its surface along a capsule.
 constexpr double kLargeSphere = 1;
 
-struct Kernels {
+struct SearchKernels {
   contact_kernel::VertexKernel vertices;
   contact_kernel::SphereKernel sphere;
 };
 
-const Kernels& kernels() {
+const SearchKernels& search_kernels() {
   using namespace contact_kernel;
-  static const Kernels chosen = {choose_variant(baseline::vertices, avx2::vertices, avx512::vertices),
-                                 choose_variant(baseline::sphere_places, avx2::sphere_places, avx512::sphere_places)};
+  static const SearchKernels chosen = {
+      choose_variant(baseline::vertices, avx2::vertices, avx512::vertices),
+      choose_variant(baseline::sphere_places, avx2::sphere_places, avx512::sphere_places)};
   return chosen;
 }
 
@@ -98,8 +99,8 @@ void ContactSearch::find(const SlotVectors& coordinates, const ElementBatch& bat
   const auto blocks = static_cast<std::int32_t>(block_due_.size());
   for (std::int32_t block = 0; block < blocks; ++block) {
     if (block_due_[static_cast<std::size_t>(block)] > limit) continue;
-    kernels().vertices(batch.block(block), vertices_.data(), vertices_.size(), coordinates.rows(), centre.data(),
-                       rows_.data());
+    search_kernels().vertices(batch.block(block), vertices_.data(), vertices_.size(), coordinates.rows(), centre.data(),
+                              rows_.data());
     if (is_large_sphere_ && ahead == 0) {
       look_at_sphere(block, body, touches);
     } else {
@@ -129,7 +130,7 @@ void ContactSearch::look_at_sphere(std::int32_t block, const DynamicBody& body, 
     thickness[lane] = bounding_radius_ + std::max(radius_[first + static_cast<std::size_t>(lane)], 0.0);
   }
   contact_kernel::SpherePlaces places;
-  kernels().sphere(rows_.data(), centre.data(), thickness, places);
+  search_kernels().sphere(rows_.data(), centre.data(), thickness, places);
   for (int lane = 0; lane < kBlockSize; ++lane) {
     const std::size_t element = first + static_cast<std::size_t>(lane);
     if (radius_[element] < 0) continue;

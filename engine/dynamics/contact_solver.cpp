@@ -22,15 +22,15 @@ constexpr double kShortWay = 2;
 // Factor on the way of the last step for what the next one may be longer.
 constexpr double kGrowingWay = 2;
 
-struct Kernels {
+struct ForceKernels {
   contact_kernel::ForceKernel forces;
   contact_kernel::PowerKernel power;
 };
 
-const Kernels& kernels() {
+const ForceKernels& force_kernels() {
   using namespace contact_kernel;
-  static const Kernels chosen = {choose_variant(baseline::forces, avx2::forces, avx512::forces),
-                                 choose_variant(baseline::power, avx2::power, avx512::power)};
+  static const ForceKernels chosen = {choose_variant(baseline::forces, avx2::forces, avx512::forces),
+                                      choose_variant(baseline::power, avx2::power, avx512::power)};
   return chosen;
 }
 
@@ -381,7 +381,7 @@ void ContactSolver::add_forces(const SlotVectors& velocities, ContactedSlots& co
     const Partner& partner = partners_[b];
     if (partner.first == partner.last) continue;
     const std::span<ContactBlock> contacts(contacts_.data() + partner.first, partner.last - partner.first);
-    kernels().forces(view, motion_of(bodies[b], partner.shares), contacts.data(), contacts.size());
+    force_kernels().forces(view, motion_of(bodies[b], partner.shares), contacts.data(), contacts.size());
     unresolved_ += count_marked(contacts, &ContactBlock::is_unresolved);
     const int stopped = count_marked(contacts, &ContactBlock::is_stopped);
     if (stopped > 0) {
@@ -418,8 +418,8 @@ double ContactSolver::stored_energy() const {
 contact_kernel::ContactPower ContactSolver::power_of(std::size_t body, const SlotRows& velocities,
                                                      const DynamicBody& dynamic) const {
   const Partner& partner = partners_[body];
-  return kernels().power(velocities, motion_of(dynamic, partner.shares), contacts_.data() + partner.first,
-                         partner.last - partner.first);
+  return force_kernels().power(velocities, motion_of(dynamic, partner.shares), contacts_.data() + partner.first,
+                               partner.last - partner.first);
 }
 
 contact_kernel::ContactPower ContactSolver::dissipated_power(const SlotVectors& velocities,

@@ -17,13 +17,13 @@ ElementCoordinates gather(const SlotVectors& vectors, const std::array<std::int3
   return columns;
 }
 
-struct Kernels {
+struct RopeKernels {
   rope_kernel::ForceKernel forces;
   rope_kernel::EnergyKernel energy_change;
 };
 
-const Kernels& kernels() {
-  static const Kernels chosen = {
+const RopeKernels& rope_kernels() {
+  static const RopeKernels chosen = {
       choose_variant(rope_kernel::baseline::forces, rope_kernel::avx2::forces, rope_kernel::avx512::forces),
       choose_variant(rope_kernel::baseline::energy_change, rope_kernel::avx2::energy_change,
                      rope_kernel::avx512::energy_change)};
@@ -166,7 +166,7 @@ void RopeDynamics::add_flow_forces(const SlotVectors& coordinates, const SlotVec
                                    double kick, AppliedForces& applied) {
   if (!moves()) return;
   for (RopeBlock& block : blocks_) {
-    kernels().forces(coordinates.rows(), velocities.rows(), last_dt, kick, block);
+    rope_kernels().forces(coordinates.rows(), velocities.rows(), last_dt, kick, block);
     for (int lane = 0; lane < block.count; ++lane) {
       for (int corner = 0; corner < 4; ++corner) {
         applied.add(block.slot[corner][lane], lane_of(block.force[corner], lane));
@@ -183,7 +183,7 @@ double RopeDynamics::energy_change(const SlotVectors& coordinates, const SlotVec
   if (!moves()) return 0;
   double change = 0;
   for (RopeBlock& block : blocks_) {
-    kernels().energy_change(coordinates.rows(), velocities.rows(), block);
+    rope_kernels().energy_change(coordinates.rows(), velocities.rows(), block);
     for (int lane = 0; lane < block.count; ++lane) change += block.energy_change[lane];
   }
   for_each_end([&](const Rope& rope, std::int32_t slot, double share) {

@@ -36,16 +36,16 @@ std::string_view without_comment(std::string_view line) {
   return line;
 }
 
-const std::string* value_of(const std::vector<Setting>& settings, const std::string& key) {
-  const auto found = std::ranges::find(settings, key, &Setting::key);
+const std::string* value_of(const std::vector<RecordedSetting>& settings, const std::string& key) {
+  const auto found = std::ranges::find(settings, key, &RecordedSetting::key);
   return found == settings.end() ? nullptr : &found->value;
 }
 
 // Keys whose values are not the same in all runs; "name" and "description" are words about them.
-std::vector<std::string> differing_keys(const std::vector<std::vector<Setting>>& runs) {
+std::vector<std::string> differing_keys(const std::vector<std::vector<RecordedSetting>>& runs) {
   std::vector<std::string> keys;
   for (const auto& settings : runs) {
-    for (const Setting& setting : settings) {
+    for (const RecordedSetting& setting : settings) {
       if (setting.key == "name" || setting.key == "description") continue;
       const auto differs = [&](const auto& other) {
         const std::string* value = value_of(other, setting.key);
@@ -59,7 +59,7 @@ std::vector<std::string> differing_keys(const std::vector<std::vector<Setting>>&
   return keys;
 }
 
-std::string differences(const std::vector<Setting>& settings, const std::vector<std::string>& keys) {
+std::string differences(const std::vector<RecordedSetting>& settings, const std::vector<std::string>& keys) {
   std::string text;
   for (const std::string& key : keys) {
     const std::string* value = value_of(settings, key);
@@ -74,7 +74,7 @@ std::size_t count_different(const std::vector<std::string>& texts) {
 
 // Of runs with one name; empty when they are one and the same.
 std::vector<std::string> distinctions(const std::vector<const Recording*>& runs) {
-  std::vector<std::vector<Setting>> settings;
+  std::vector<std::vector<RecordedSetting>> settings;
   for (const auto* run : runs) settings.push_back(recorded_settings(run->origin().scenario_text));
   const auto keys = differing_keys(settings);
   std::vector<std::string> by_settings, by_name, by_path;
@@ -92,8 +92,8 @@ std::vector<std::string> distinctions(const std::vector<const Recording*>& runs)
 
 }  // namespace
 
-std::vector<Setting> recorded_settings(const std::string& scenario_text) {
-  std::vector<Setting> settings;
+std::vector<RecordedSetting> recorded_settings(const std::string& scenario_text) {
+  std::vector<RecordedSetting> settings;
   std::string group;
   std::istringstream lines(scenario_text);
   for (std::string line; std::getline(lines, line);) {

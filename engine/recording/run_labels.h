@@ -13,11 +13,11 @@ class Recording;
 std::vector<std::string> run_labels(const std::vector<const Recording*>& recordings);
 
 // The settings of a scenario as it is recorded: one in a line. Keys such as "target.radius", values as written.
-struct Setting {
+struct RecordedSetting {
   std::string key;
   std::string value;
-  bool operator==(const Setting&) const = default;
+  bool operator==(const RecordedSetting&) const = default;
 };
-std::vector<Setting> recorded_settings(const std::string& scenario_text);
+std::vector<RecordedSetting> recorded_settings(const std::string& scenario_text);
 
 }  // namespace netpocket

@@ -6,10 +6,10 @@
 namespace netpocket {
 namespace {
 
-constexpr double kBriefest = 0.5;  // s, of a leg
-constexpr double kGrowth = 1.1;    // from one duration tried to the next
-constexpr int kTrials = 120;       // up to half a second times 1.1^119: half a day
-constexpr int kSamples = 128;      // of a leg, at which speed and length are looked at
+constexpr double kBriefest = 0.5;   // s, of a leg
+constexpr double kGrowth = 1.1;     // from one duration tried to the next
+constexpr int kTrials = 120;        // up to half a second times 1.1^119: half a day
+constexpr int kSamplesOfLeg = 128;  // of a leg, at which speed and length are looked at
 // Part of the open length per second at which ropes may be wound even where no law asks for any speed.
 constexpr double kLeastSpeed = 0.01;
 
@@ -36,8 +36,8 @@ ClosingState ClosingTransition::Leg::at(double time) const {
 }
 
 bool ClosingTransition::is_allowed(const Leg& leg) const {
-  for (int i = 1; i < kSamples; ++i) {
-    const ClosingState state = leg.at(leg.begin + (leg.end - leg.begin) * i / kSamples);
+  for (int i = 1; i < kSamplesOfLeg; ++i) {
+    const ClosingState state = leg.at(leg.begin + (leg.end - leg.begin) * i / kSamplesOfLeg);
     if (!(std::abs(state.speed) <= fastest_ && state.length >= shortest_ && state.length <= schedule_.open_length()))
       return false;
   }

@@ -90,7 +90,7 @@ std::string quoted(std::string_view text) {
 
 std::string toml_text(const Parameter& parameter, const ParameterValue& value) {
   return std::visit(Overloaded{[](bool flag) { return std::string(flag ? "true" : "false"); },
-                               [](const std::string& text) { return quoted(text); },
+                               [](const std::string& text) { return netpocket::quoted(text); },
                                [&](Choice choice) { return quoted(parameter.choices[choice.index]); },
                                [](const Eigen::Vector3d& vector) { return list_text(vector); },
                                [](const std::vector<Eigen::Vector2d>& pairs) {

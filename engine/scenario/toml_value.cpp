@@ -137,7 +137,7 @@ std::string excerpt(std::string_view text) {
   if (text.size() <= kLongest) return quoted(text);
   std::size_t end = kLongest;
   while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;  // not inside a UTF-8 character
-  return quoted(std::string(text.substr(0, end)) + "...");
+  return netpocket::quoted(std::string(text.substr(0, end)) + "...");
 }
 
 std::variant<ParameterValue, ValueProblem> parameter_value(const Parameter& parameter, const toml::node& node) {

@@ -75,7 +75,8 @@ Diagnostics apply_to_number(Scenario& scenario, const Setting& setting, const Pl
                                            parameter->key, toml_text(*parameter, parameter->get(scenario))));
   }
   const auto parsed = parse<double>(setting.value);
-  if (!parsed || !std::isfinite(*parsed)) return single(setting.key, "expects a number, not " + quoted(setting.value));
+  if (!parsed || !std::isfinite(*parsed))
+    return single(setting.key, "expects a number, not " + netpocket::quoted(setting.value));
   *number = *parsed;
   if (const auto problem = limit_problem(*parameter, value)) return single(setting.key, *problem);
   parameter->set(scenario, value);

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 std::string marker_path(const std::string& folder) { return folder + "/" + kStudyMarker; }
 
-void make_folder(const std::string& path) {
+void make_study_folder(const std::string& path) {
   std::error_code error;
   fs::create_directories(path, error);
   if (error) throw RecordingError(fmt::format("cannot make the folder \"{}\": {}", path, error.message()));
@@ -60,7 +60,7 @@ bool holds_study(const std::string& folder) {
 }
 
 OwnedStudyFolder::OwnedStudyFolder(const std::string& folder, const std::string& name) {
-  make_folder(folder);
+  make_study_folder(folder);
   if (!holds_study(folder)) {
     if (const auto entry = any_entry(folder)) {
       throw RecordingError(

@@ -6,7 +6,7 @@
 namespace netpocket {
 namespace {
 
-struct Box {
+struct Mp4Box {
   std::uint64_t size = 0;  // bytes, its head included
   std::string type;
 };
@@ -18,14 +18,14 @@ std::uint64_t big_endian(const char* bytes, int count) {
 }
 
 // The head of a box; of size 0 where there is none.
-Box read_box(std::ifstream& file, std::uint64_t left) {
+Mp4Box read_box(std::ifstream& file, std::uint64_t left) {
   constexpr std::uint64_t kHead = 8, kLongHead = 16;
   char head[kLongHead] = {};
   if (left < kHead || !file.read(head, kHead)) return {};
-  Box box{big_endian(head, 4), std::string(head + 4, 4)};
+  Mp4Box box{big_endian(head, 4), std::string(head + 4, 4)};
   if (box.size == 0) box.size = left;  // to the end of the file
   if (box.size == 1 && left >= kLongHead && file.read(head + kHead, kHead)) box.size = big_endian(head + kHead, 8);
-  return box.size >= kHead ? box : Box{};
+  return box.size >= kHead ? box : Mp4Box{};
 }
 
 }  // namespace
@@ -37,7 +37,7 @@ bool is_whole_mp4(const std::string& path) {
   bool media = false, index = false;
   for (std::uint64_t at = 0; at < end;) {
     file.seekg(static_cast<std::streamoff>(at));
-    const Box box = read_box(file, end - at);
+    const Mp4Box box = read_box(file, end - at);
     if (box.size == 0 || box.size > end - at) return false;
     media = media || box.type == "mdat";
     index = index || box.type == "moov";

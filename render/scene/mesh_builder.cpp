@@ -13,8 +13,6 @@
 namespace netpocket {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
-
 // The corner of a box on the sides given by signs.
 Eigen::Vector3d corner(const Eigen::Vector3d& half, int x, int y, int z) {
   return half.cwiseProduct(Eigen::Vector3d(x, y, z));

@@ -10,11 +10,14 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <numbers>
 #include <span>
 
 #include "render/scene/color.h"
 
 namespace netpocket {
+
+inline constexpr double kTurn = 2 * std::numbers::pi;
 
 struct SurfaceVertex {
   Eigen::Vector3d position;

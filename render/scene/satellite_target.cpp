@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "render/scene/mesh_builder.h"
@@ -15,8 +14,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kInset = 0.985;  // drawn a little inside the surface that is touched
-constexpr double kTurn = 2 * std::numbers::pi;
-constexpr int kSegments = 3;  // of a solar panel
+constexpr int kSegments = 3;      // of a solar panel
 constexpr int kCellsAcross = 8;
 constexpr Color kDishFront = {0.93, 0.93, 0.90};
 

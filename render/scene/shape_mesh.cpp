@@ -14,7 +14,6 @@ namespace {
 
 constexpr double kSurfaceInset = 0.997;
 constexpr double kSeamInset = 0.998;
-constexpr double kTurn = 2 * std::numbers::pi;
 
 using SurfaceMap = std::function<SurfaceVertex(double u, double v)>;
 

@@ -60,6 +60,8 @@ class TestFolder {
   std::filesystem::path path_;
 };
 
+inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
+
 // A scenario of the repository.
 std::string scenario_file(const std::string& name);
 

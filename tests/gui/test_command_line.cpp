@@ -14,8 +14,6 @@ namespace {
 const std::vector<std::string> kCommands = {"run",    "check", "render",   "plot",    "report",
                                             "export", "info",  "findings", "backends"};
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
-
 TEST(CommandLine, WithoutArgumentsShowsHelp) {
   unsetenv("QT_QPA_PLATFORM");  // with which the workbench would open
   const auto result = run_program({});

@@ -17,8 +17,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
-
 // A coarse pocket, so that much happens in little time.
 std::vector<std::string> run_arguments(const std::string& path, const std::string& until) {
   return {"run",   scenario_file("case1.toml"), "-o",      path,

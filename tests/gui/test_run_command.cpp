@@ -13,8 +13,6 @@
 namespace netpocket {
 namespace {
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
-
 TEST(Check, PrintsTheModel) {
   const auto result = run_program({"check", scenario_file("case1.toml")});
   EXPECT_EQ(result.exit_code, 0) << result.error;

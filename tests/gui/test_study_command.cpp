@@ -14,9 +14,7 @@
 namespace netpocket {
 namespace {
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
-
-std::string content(const std::string& path) {
+std::string text_of(const std::string& path) {
   std::ostringstream text;
   text << std::ifstream(path).rdbuf();
   return text.str();
@@ -40,9 +38,9 @@ TEST(Study, TabulatesItsPoints) {
   EXPECT_EQ(result.exit_code, 0) << result.error;
   EXPECT_TRUE(contains(result.out, "3 of 3 points done, 1 of them refused as not valid")) << result.out;
   EXPECT_TRUE(contains(result.error, "100 %")) << result.error;
-  EXPECT_TRUE(contains(content(folder.file("out/study.csv")), "\n2,,0,4.1,fast,,finished,"));
-  EXPECT_TRUE(contains(content(folder.file("out/study.csv")), "the target starts inside the net"));
-  const auto json = nlohmann::json::parse(content(folder.file("out/study.json")));
+  EXPECT_TRUE(contains(text_of(folder.file("out/study.csv")), "\n2,,0,4.1,fast,,finished,"));
+  EXPECT_TRUE(contains(text_of(folder.file("out/study.csv")), "the target starts inside the net"));
+  const auto json = nlohmann::json::parse(text_of(folder.file("out/study.json")));
   EXPECT_EQ(json["points"][1]["runs"][0]["variant"], "fast");
 }
 
@@ -82,7 +80,7 @@ TEST(Study, InterruptedItKeepsWhatIsDoneAndGoesOn) {
   EXPECT_EQ(result.exit_code, 130);
   EXPECT_TRUE(contains(result.out, "1 of 2 points done")) << result.out;
   EXPECT_TRUE(contains(result.error, "--resume goes on")) << result.error;
-  EXPECT_TRUE(contains(content(folder.file("out/study.csv")), "\n1,,0,0.02,"));
+  EXPECT_TRUE(contains(text_of(folder.file("out/study.csv")), "\n1,,0,0.02,"));
   EXPECT_FALSE(std::filesystem::exists(folder.file("out/runs")));
 }
 
@@ -93,7 +91,7 @@ TEST(Study, WritesAReport) {
   const auto result =
       run_program({"study", study, "-o", folder.file("out"), "--report", folder.file("F.md"), "--quiet"});
   EXPECT_EQ(result.exit_code, 0) << result.error;
-  const std::string report = content(folder.file("F.md"));
+  const std::string report = text_of(folder.file("F.md"));
   EXPECT_TRUE(contains(report, "| F11 | The target stays captured. | not known | 0 of 1 other points |")) << report;
   EXPECT_TRUE(contains(report, "`solver.safety = 0.4`")) << report;
 }

@@ -10,13 +10,12 @@
 #include "gui/workbench/editor/group_box.h"
 #include "gui/workbench/editor/parameter_field.h"
 #include "gui/workbench/editor/parameter_row.h"
+#include "gui/workbench/editor/parameter_words.h"
 
 namespace netpocket {
 namespace {
 
 constexpr int kStepPause = 700;  // ms without a step after which the next one is an edit of its own
-
-QString text(std::string_view utf8) { return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size())); }
 
 }  // namespace
 
@@ -51,7 +50,7 @@ void ParameterForm::build() {
   layout->setContentsMargins(0, 0, 0, 8);
   layout->setSpacing(0);
   for (const ParameterGroup& group : parameter_groups()) {
-    auto* box = new GroupBox(title(group), text(group.help), content);
+    auto* box = new GroupBox(title(group), from_utf8(group.help), content);
     Section section{box, {}};
     // In front of its parameters, so that it stays in sight while they are edited.
     if (group.name == "closing") {
@@ -60,7 +59,7 @@ void ParameterForm::build() {
     }
     for (const Parameter& parameter : parameters_of(group)) add_row(section, parameter);
     layout->addWidget(box);
-    groups_[text(group.name)] = box;
+    groups_[from_utf8(group.name)] = box;
     sections_.push_back(std::move(section));
   }
   layout->addStretch();
@@ -71,7 +70,7 @@ void ParameterForm::add_row(Section& section, const Parameter& parameter) {
   auto* row = new ParameterRow(parameter, section.box);
   section.box->add(row);
   section.rows.push_back(row);
-  rows_[text(parameter.key)] = row;
+  rows_[from_utf8(parameter.key)] = row;
   connect(row, &ParameterRow::edited, this,
           [this, &parameter](const ParameterValue& value, bool stepped) { edit(parameter, value, stepped); });
   connect(row, &ParameterRow::tried, this,
@@ -110,7 +109,7 @@ void ParameterForm::show_problems() {
   for (const Diagnostic& diagnostic : document_->diagnostics().list()) {
     // Some problems are those of a group; they stand at its first parameter.
     const auto* group = find_parameter_group(diagnostic.key);
-    const auto key = group && !group->name.empty() ? text(parameters_of(*group).front().key)
+    const auto key = group && !group->name.empty() ? from_utf8(parameters_of(*group).front().key)
                                                    : QString::fromStdString(diagnostic.key);
     QString message = QString::fromStdString(diagnostic.message);
     if (!message.isEmpty()) message[0] = message[0].toUpper();
@@ -152,7 +151,7 @@ int ParameterForm::filter(const QString& words, bool changed_only) {
 void ParameterForm::reveal(const QString& key) {
   ParameterRow* row = this->row(key);
   if (!row) return;
-  if (GroupBox* box = group(text(row->parameter().group()))) box->set_expanded(true);
+  if (GroupBox* box = group(from_utf8(row->parameter().group()))) box->set_expanded(true);
   ensureWidgetVisible(row);
   row->field()->setFocus(Qt::TabFocusReason);
 }
@@ -161,7 +160,7 @@ void ParameterForm::focus_first() {
   for (const Section& section : sections_) {
     for (ParameterRow* row : section.rows) {
       if (row->isHidden() || !row->field()->isEnabled()) continue;
-      return reveal(text(row->parameter().key));
+      return reveal(from_utf8(row->parameter().key));
     }
   }
 }

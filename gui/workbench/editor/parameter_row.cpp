@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "gui/workbench/editor/parameter_field.h"
+#include "gui/workbench/editor/parameter_words.h"
 #include "gui/workbench/panels/icons.h"
 
 namespace netpocket {
@@ -22,8 +23,6 @@ const Scenario& default_scenario() {
   static const Scenario scenario;
   return scenario;
 }
-
-QString text(std::string_view utf8) { return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size())); }
 
 // A label in bold is wider.
 int bold_width(const QFontMetrics& metrics, const QString& words) {
@@ -60,10 +59,10 @@ ParameterRow::ParameterRow(const Parameter& parameter, QWidget* parent)
 
   lay_out();
 
-  QStringList searched = {label(parameter),           text(parameter.key),
-                          text(parameter.help),       text(parameter.source),
+  QStringList searched = {label(parameter),           from_utf8(parameter.key),
+                          from_utf8(parameter.help),  from_utf8(parameter.source),
                           unit_words(parameter.unit), title(*find_parameter_group(parameter.group()))};
-  for (const std::string_view choice : parameter.choices) searched << text(choice);
+  for (const std::string_view choice : parameter.choices) searched << from_utf8(choice);
   search_text_ = searched.join('\n').toLower();
 
   connect(field_, &ParameterField::edited, this, &ParameterRow::edited);

@@ -11,8 +11,6 @@
 namespace netpocket {
 namespace {
 
-QString text(std::string_view utf8) { return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size())); }
-
 QString translated(const QString& words) {
   return QCoreApplication::translate("parameters", words.toUtf8().constData());
 }
@@ -57,21 +55,23 @@ QString why_solver_unused(std::string_view name, const SolverParameters& solver)
 
 }  // namespace
 
+QString from_utf8(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())); }
+
 QString label(const Parameter& parameter) {
-  QString words = text(parameter.name()).replace('_', ' ');
+  QString words = from_utf8(parameter.name()).replace('_', ' ');
   words.replace("youngs", "Young's").replace("poisson ratio", "Poisson's ratio");
   words[0] = words[0].toUpper();
   return translated(words);
 }
 
-QString title(const ParameterGroup& group) { return translated(text(group.title)); }
+QString title(const ParameterGroup& group) { return translated(from_utf8(group.title)); }
 
 QString full_label(const Parameter& parameter) {
   return title(*find_parameter_group(parameter.group())) + ": " + label(parameter).toLower();
 }
 
 QString unit_words(std::string_view unit) {
-  QString words = text(unit);
+  QString words = from_utf8(unit);
   words.replace("^2", "²").replace("^3", "³").replace(" ", QStringLiteral("\u202f"));
   return words;
 }
@@ -108,7 +108,7 @@ QString value_words(const Parameter& parameter, const ParameterValue& value) {
   } else if (const auto* string = std::get_if<std::string>(&value)) {
     words = "“" + QString::fromStdString(*string).left(30) + "”";
   } else if (const auto* choice = std::get_if<Choice>(&value)) {
-    words = text(parameter.choices[choice->index]);
+    words = from_utf8(parameter.choices[choice->index]);
   } else {
     words = QString::fromStdString(toml_text(parameter, value));
   }
@@ -118,13 +118,13 @@ QString value_words(const Parameter& parameter, const ParameterValue& value) {
 
 QString tool_tip(const Parameter& parameter) {
   const QString allowed = QString::fromStdString(allowed_text(parameter)).toHtmlEscaped();
-  QString help = translated(text(parameter.help)).toHtmlEscaped();
+  QString help = translated(from_utf8(parameter.help)).toHtmlEscaped();
   help[0] = help[0].toUpper();
   QStringList facts;
   if (!allowed.isEmpty()) facts << tr("Allowed: %1").arg(allowed);
   if (!parameter.unit.empty()) facts << tr("Unit: %1").arg(unit_words(parameter.unit));
-  facts << tr("Source: %1").arg(text(parameter.source).toHtmlEscaped());
-  facts << tr("Key: %1").arg("<code>" + text(parameter.key) + "</code>");
+  facts << tr("Source: %1").arg(from_utf8(parameter.source).toHtmlEscaped());
+  facts << tr("Key: %1").arg("<code>" + from_utf8(parameter.key) + "</code>");
   return "<p>" + help + "</p><p>" + facts.join("<br>") + "</p>";
 }
 

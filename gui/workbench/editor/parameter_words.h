@@ -3,10 +3,13 @@
 
 #include <QString>
 #include <optional>
+#include <string_view>
 
 #include "engine/scenario/parameters.h"
 
 namespace netpocket {
+
+QString from_utf8(std::string_view text);
 
 // "Young's modulus" for net.youngs_modulus.
 QString label(const Parameter& parameter);

@@ -13,22 +13,22 @@ using namespace test;
 class VerificationShapeFunctions : public VerificationTest {};
 class VerificationMass : public VerificationTest {};
 
-constexpr double kLength = 0.7;
+constexpr double kElementLength = 0.7;
 
 TEST_F(VerificationShapeFunctions, InterpolateTheNodes) {
   const Eigen::Matrix4d unit = Eigen::Matrix4d::Identity();
-  EXPECT_EQ(shape(-1, kLength), unit.col(0));
-  EXPECT_EQ(shape(1, kLength), unit.col(2));
-  EXPECT_LT((shape_p(-1, kLength) - unit.col(1)).norm(), 1e-15);
-  EXPECT_LT((shape_p(1, kLength) - unit.col(3)).norm(), 1e-15);
+  EXPECT_EQ(shape(-1, kElementLength), unit.col(0));
+  EXPECT_EQ(shape(1, kElementLength), unit.col(2));
+  EXPECT_LT((shape_p(-1, kElementLength) - unit.col(1)).norm(), 1e-15);
+  EXPECT_LT((shape_p(1, kElementLength) - unit.col(3)).norm(), 1e-15);
 }
 
 TEST_F(VerificationShapeFunctions, ReproduceTranslationAndStraightLine) {
   double unity = 0, line = 0;
   for (double xi = -1; xi <= 1; xi += 0.125) {
-    const NodalWeights s = shape(xi, kLength);
+    const NodalWeights s = shape(xi, kElementLength);
     unity = std::max(unity, std::abs(s[0] + s[2] - 1));
-    line = std::max(line, std::abs(kLength * s[2] + s[1] + s[3] - kLength * (1 + xi) / 2));
+    line = std::max(line, std::abs(kElementLength * s[2] + s[1] + s[3] - kElementLength * (1 + xi) / 2));
   }
   expect_error_below("partition of unity", unity, 1e-15);
   expect_error_below("straight line", line, 1e-15);
@@ -36,7 +36,7 @@ TEST_F(VerificationShapeFunctions, ReproduceTranslationAndStraightLine) {
 
 TEST_F(VerificationShapeFunctions, DerivativesMatchDifferences) {
   double error = 0;
-  const double L = kLength, h = 1e-3;
+  const double L = kElementLength, h = 1e-3;
   for (double xi = -1; xi <= 1; xi += 0.25) {
     const auto by_xi = [&](auto f) { return derivative([&](double x) { return NodalWeights(f(x, L)); }, xi, h); };
     const auto by_L = [&](auto f) { return derivative([&](double x) { return NodalWeights(f(xi, x)); }, L, h); };
@@ -59,12 +59,12 @@ TEST_F(VerificationMass, ConsistentMatrixIsTheIntegral) {
   Eigen::Matrix4d integral = Eigen::Matrix4d::Zero();
   NodalWeights load = NodalWeights::Zero();
   for (const auto& [xi, weight] : kGauss4) {
-    const NodalWeights s = shape(xi, kLength);
-    integral += weight * kLength / 2 * s * s.transpose();
-    load += weight * kLength / 2 * s;
+    const NodalWeights s = shape(xi, kElementLength);
+    integral += weight * kElementLength / 2 * s * s.transpose();
+    load += weight * kElementLength / 2 * s;
   }
-  expect_error_below("mass matrix", relative_error(consistent_mass(3, kLength), 3 * integral), 1e-15);
-  expect_error_below("load weights", relative_error(uniform_load(kLength), load), 1e-15);
+  expect_error_below("mass matrix", relative_error(consistent_mass(3, kElementLength), 3 * integral), 1e-15);
+  expect_error_below("load weights", relative_error(uniform_load(kElementLength), load), 1e-15);
 }
 
 TEST_F(VerificationMass, ConsistentMatrixHasThePublishedNumbers) {
@@ -82,7 +82,7 @@ TEST_F(VerificationMass, ConsistentMatrixHasThePublishedNumbers) {
 }
 
 TEST_F(VerificationMass, LumpedMassScalesTheConsistentDiagonal) {
-  const double L = kLength, m = 3;
+  const double L = kElementLength, m = 3;
   const NodalWeights lumped = lumped_mass(m, L), diagonal = consistent_mass(m, L).diagonal();
   EXPECT_DOUBLE_EQ(lumped[0] + lumped[2], m * L);
   const double scale = m * L / (diagonal[0] + diagonal[2]);

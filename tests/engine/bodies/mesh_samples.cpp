@@ -9,6 +9,7 @@
 #include <iostream>
 #include <numbers>
 
+#include "engine/bodies/mesh_review.h"
 #include "engine/bodies/mesh_weld.h"
 
 namespace netpocket::samples {
@@ -150,6 +151,11 @@ std::shared_ptr<const TriangleMesh> checked_mesh(const MeshData& data) {
     std::abort();
   }
   return std::get<std::shared_ptr<const TriangleMesh>>(mesh);
+}
+
+std::string verdict(const MeshData& data) {
+  const MeshReview review = review_mesh(data);
+  return review.faults.empty() ? "" : review.faults.front().text;
 }
 
 std::string binary_stl(const MeshData& data) {

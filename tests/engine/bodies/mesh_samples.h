@@ -26,6 +26,9 @@ MeshData joined(MeshData first, const MeshData& second);
 // The mesh; ends the test program when it is refused.
 std::shared_ptr<const TriangleMesh> checked_mesh(const MeshData& data);
 
+// What a review says of it first; empty when it finds nothing.
+std::string verdict(const MeshData& data);
+
 std::string binary_stl(const MeshData& data);
 std::string ascii_stl(const MeshData& data);
 std::string obj(const MeshData& data);

@@ -19,6 +19,7 @@ using samples::box;
 using samples::joined;
 using samples::moved;
 using samples::turned_inside_out;
+using samples::verdict;
 
 double volume(const MeshData& data) {
   const auto mesh = TriangleMesh::make(data);
@@ -27,11 +28,6 @@ double volume(const MeshData& data) {
     return NAN;
   }
   return std::get<std::shared_ptr<const TriangleMesh>>(mesh)->volume();
-}
-
-std::string verdict(const MeshData& data) {
-  const MeshReview review = review_mesh(data);
-  return review.faults.empty() ? "" : review.faults.front().text;
 }
 
 using Changes = std::vector<std::string>;

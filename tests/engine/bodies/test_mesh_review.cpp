@@ -15,11 +15,7 @@ using samples::box;
 using samples::joined;
 using samples::moved;
 using samples::turned_inside_out;
-
-std::string verdict(const MeshData& data) {
-  const MeshReview review = review_mesh(data);
-  return review.faults.empty() ? "" : review.faults.front().text;
-}
+using samples::verdict;
 
 MeshData panel() {
   MeshData data;

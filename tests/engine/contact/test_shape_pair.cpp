@@ -38,7 +38,7 @@ double deepest(const std::vector<Touch>& touches) {
 
 Shape mesh_shape(const MeshData& data) { return MeshShape{samples::checked_mesh(data)}; }
 
-class Random {
+class RandomSolids {
  public:
   double number(double low, double high) { return std::uniform_real_distribution<double>(low, high)(generator_); }
   Vector3d vector() { return {number(-1, 1), number(-1, 1), number(-1, 1)}; }
@@ -75,7 +75,7 @@ bool fcl_overlap(const Shape& first, const Placement& first_at, const Shape& sec
 }
 
 TEST(ShapePair, FindsWhateverFclSaysOverlaps) {
-  Random random;
+  RandomSolids random;
   int together = 0, apart = 0;
   for (int i = 0; i < 4000; ++i) {
     const Shape first = random.solid(), second = random.solid();
@@ -98,7 +98,7 @@ TEST(ShapePair, FindsWhateverFclSaysOverlaps) {
 
 // The greatest depth is the least way along the normal that parts the two.
 TEST(ShapePair, DepthPartsThem) {
-  Random random;
+  RandomSolids random;
   int tried = 0;
   for (int i = 0; i < 2000; ++i) {
     const Shape first = random.solid(), second = random.solid();
@@ -121,7 +121,7 @@ TEST(ShapePair, DepthPartsThem) {
 // First touches are shallow, whichever feature they are of: no jump when an axis takes over, down to a hundredth of the
 // smaller radius. A corner that clipping makes may move a little faster than the solids.
 TEST(ShapePair, DepthIsContinuous) {
-  Random random;
+  RandomSolids random;
   for (int i = 0; i < 100; ++i) {
     const Shape first = random.solid(), second = random.solid();
     const Matrix3d rotation = random.rotation();
@@ -236,7 +236,7 @@ TEST(ShapePair, MeshesAreHeldLikeTheSolidsTheyStandFor) {
 
 // A pair that has watched its shapes move finds what one that sees them for the first time does.
 TEST(ShapePair, MemoryChangesNothing) {
-  Random random;
+  RandomSolids random;
   const std::vector<Shape> shapes = {Box{{1, 2, 1}},
                                      Cylinder{0.5, 2},
                                      Sphere{1},
@@ -277,7 +277,7 @@ Matrix3d quarter_turn(const Matrix3d& m) {
 
 // What touches turns with the two bodies, to the last bit.
 TEST(ShapePair, TurnsWithTheBodies) {
-  Random random;
+  RandomSolids random;
   int tried = 0;
   for (int i = 0; i < 500; ++i) {
     const Shape first = random.solid(), second = random.solid();

@@ -14,7 +14,7 @@ namespace {
 using test::advance_validated;
 
 // A coarse pocket that is in contact after 1.2 s.
-Scenario coarse_scenario() {
+Scenario coarse_capture() {
   Scenario scenario;
   scenario.pocket.mesh_columns = scenario.pocket.mesh_rows = 3;
   scenario.target.velocity = {0.8, -0.4, 0.3};
@@ -25,7 +25,7 @@ Scenario coarse_scenario() {
   return scenario;
 }
 
-Simulation started(const Scenario& scenario, double time) {
+Simulation advanced(const Scenario& scenario, double time) {
   EXPECT_TRUE(check_scenario(scenario).ok()) << check_scenario(scenario).text();
   Simulation simulation(scenario);
   const RunStatus status = simulation.advance(time);
@@ -39,7 +39,7 @@ TEST(StateValidation, EveryScenarioFromItsStart) {
     SCOPED_TRACE(entry.path().filename().string());
     const ScenarioResult read = read_scenario_file(entry.path().string());
     ASSERT_TRUE(read.ok()) << read.diagnostics.text();
-    Simulation simulation = started(read.scenario, 0);
+    Simulation simulation = advanced(read.scenario, 0);
     advance_validated(simulation, 0.006, 0.003);
   }
 }
@@ -47,7 +47,7 @@ TEST(StateValidation, EveryScenarioFromItsStart) {
 class StateValidation : public testing::TestWithParam<TargetShape> {};
 
 TEST_P(StateValidation, EveryShapeInContact) {
-  Scenario scenario = coarse_scenario();
+  Scenario scenario = coarse_capture();
   scenario.target.shape = GetParam();
   scenario.target.mesh_file = NETPOCKET_SOURCE_DIR "/scenarios/meshes/upper_stage.obj";
   scenario.target.mesh_unit = MeshUnit::millimetre;
@@ -56,7 +56,7 @@ TEST_P(StateValidation, EveryShapeInContact) {
   scenario.target.radius = GetParam() == TargetShape::sphere ? 4.5 : 3.5;
   // Fast enough that the net is met within a second.
   scenario.target.velocity = {3, -1.2, 1};
-  Simulation simulation = started(scenario, 0.2);
+  Simulation simulation = advanced(scenario, 0.2);
   const auto touches = [&] { return simulation.snapshot().channel(Channel::contact_count) > 0; };
   while (!touches() && simulation.time() < 2) simulation.advance(simulation.time() + 0.02);
   ASSERT_TRUE(touches());
@@ -68,30 +68,30 @@ INSTANTIATE_TEST_SUITE_P(Shapes, StateValidation,
                                          TargetShape::satellite, TargetShape::mesh));
 
 TEST(StateValidation, WhereCordsTouch) {
-  Scenario scenario = coarse_scenario();
+  Scenario scenario = coarse_capture();
   scenario.pocket.elements_per_side = 1;
   scenario.closing.duration = 2;
   scenario.closing.closed_length = 0.3;
   scenario.target.radius = 0.5;
   scenario.target.velocity = {0, 0, 0};
-  Simulation simulation = started(scenario, 1.7);
+  Simulation simulation = advanced(scenario, 1.7);
   advance_validated(simulation, 1.72, 0.01);
 }
 
 TEST(StateValidation, FullEvaluation) {
-  Scenario scenario = coarse_scenario();
+  Scenario scenario = coarse_capture();
   scenario.solver.evaluation = Evaluation::full;
   scenario.target.velocity = {3, -1.2, 1};
-  Simulation simulation = started(scenario, 0.3);
+  Simulation simulation = advanced(scenario, 0.3);
   advance_validated(simulation, 0.304, 0.002);
 }
 
 TEST(StateValidation, InflatedRodsUnderGravityWithDisplacedNodes) {
-  Scenario scenario = coarse_scenario();
+  Scenario scenario = coarse_capture();
   scenario.rods.pressure = 3e4;
   scenario.solver.gravity = {0.3, -0.5, 0.1};
   scenario.solver.perturbation = 1e-3;
-  Simulation simulation = started(scenario, 0);
+  Simulation simulation = advanced(scenario, 0);
   advance_validated(simulation, 0.01, 0.005);
   simulation.advance(0.3);
   advance_validated(simulation, 0.32, 0.01);
@@ -100,12 +100,12 @@ TEST(StateValidation, InflatedRodsUnderGravityWithDisplacedNodes) {
 TEST(StateValidation, EveryTowAndHold) {
   for (const TowingMode mode : {TowingMode::none, TowingMode::force, TowingMode::acceleration, TowingMode::velocity}) {
     for (const StationKeeping hold : {StationKeeping::free, StationKeeping::attitude, StationKeeping::lateral}) {
-      Scenario scenario = coarse_scenario();
+      Scenario scenario = coarse_capture();
       scenario.towing.mode = mode;
       scenario.towing.start = 0.105;
       scenario.towing.size = mode == TowingMode::force ? 10 : 0.05;
       scenario.spacecraft.station_keeping = hold;
-      Simulation simulation = started(scenario, 0.1);
+      Simulation simulation = advanced(scenario, 0.1);
       advance_validated(simulation, 0.12, 0.01);
     }
   }
@@ -113,7 +113,7 @@ TEST(StateValidation, EveryTowAndHold) {
 
 // To restore what differs in the sign of a zero only.
 TEST(StateValidation, SignsOfZeroAreRestored) {
-  Simulation simulation(coarse_scenario());
+  Simulation simulation(coarse_capture());
   std::vector<double> state = simulation.checkpoint();
   const std::vector<double> before = state;
   std::size_t zeros = 0;

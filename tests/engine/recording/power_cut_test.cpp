@@ -15,7 +15,7 @@
 namespace netpocket {
 namespace {
 
-constexpr int kElements = 20;
+constexpr int kFewElements = 20;
 constexpr std::size_t kFrames = 300;
 constexpr std::size_t kFramesPerFlush = 7;
 
@@ -26,7 +26,7 @@ struct Promise {
 };
 
 std::vector<Promise> record_by_flushes(const std::string& path, const test::DiskLog& log) {
-  const Structure structure = synthetic_structure(kElements);
+  const Structure structure = synthetic_structure(kFewElements);
   Recorder recorder(path, synthetic_origin(), structure, false);
   std::vector<Promise> promises;
   for (std::size_t i = 0; i < kFrames; ++i) {
@@ -83,7 +83,7 @@ void damage_second_chunk(const std::string& path) {
 
 TEST(PowerCut, LeavesTheFramesBeforeAChunkThatIsNotThere) {
   const TemporaryFolder folder;
-  const Structure structure = synthetic_structure(kElements);
+  const Structure structure = synthetic_structure(kFewElements);
   Recorder recorder(folder.file("run.h5"), synthetic_origin(), structure, false);
   for (int i = 0; i < kRowsPerChunk + 3; ++i) recorder.write(synthetic_frame(structure, i));
   recorder.flush();
@@ -95,7 +95,7 @@ TEST(PowerCut, LeavesTheFramesBeforeAChunkThatIsNotThere) {
 
 TEST(PowerCut, OfAFinishedRecordingNothingIsLeftOut) {
   const TemporaryFolder folder;
-  write_synthetic_run(folder.file("run.h5"), kRowsPerChunk + 3, kElements);
+  write_synthetic_run(folder.file("run.h5"), kRowsPerChunk + 3, kFewElements);
   damage_second_chunk(folder.file("run.h5"));
   EXPECT_THROW(Recording(folder.file("run.h5")), RecordingError);
 }

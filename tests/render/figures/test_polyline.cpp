@@ -8,11 +8,11 @@
 namespace netpocket {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 
 TEST(MapCurve, SplitsAtValuesThatAreNotFinite) {
   const PaperMap map{10, 2, 100, -1};
-  const std::vector<Polyline> lines = map_curve({0, 1, 2, 3, 4}, {0, 5, kNaN, 7, INFINITY}, map);
+  const std::vector<Polyline> lines = map_curve({0, 1, 2, 3, 4}, {0, 5, kMissing, 7, INFINITY}, map);
   ASSERT_EQ(lines.size(), 2u);
   EXPECT_EQ(lines[0], (Polyline{{10, 100}, {12, 95}}));
   EXPECT_EQ(lines[1], (Polyline{{16, 93}}));
