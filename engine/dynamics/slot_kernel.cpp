@@ -83,6 +83,21 @@ NETPOCKET_INLINE Lanes3 force_on(const UpdateView& view, const SlotBlock& block,
   return force;
 }
 
+NETPOCKET_INLINE void move_block(const UpdateView& view, const SlotBlock& block, double kick, double drift,
+                                 LargestSquare& largest) {
+  const std::ptrdiff_t slot = static_cast<std::ptrdiff_t>(block.slot_block) * kBlock, row = slot * kSlotRows;
+  double *x = view.coordinates + row, *v = view.velocities + row;
+  for (int part = 0; part < kParts; ++part) {
+    const Lanes3 force = force_on(view, block, part);
+    const Lanes gain = broadcast(kick) * load(view.inverse_mass + slot, part);
+    const Lanes vx = move(x, v, part, gain * force.x, broadcast(drift));
+    const Lanes vy = move(x + kBlock, v + kBlock, part, gain * force.y, broadcast(drift));
+    const Lanes vz = move(x + 2 * kBlock, v + 2 * kBlock, part, gain * force.z, broadcast(drift));
+    const Lanes weight = load(view.weight + slot, part);
+    note(largest, (weight * weight) * ((vx * vx + vz * vz) + vy * vy));
+  }
+}
+
 }  // namespace
 
 void sum_forces(const UpdateView& view, const std::int32_t* slot_blocks, std::size_t count, double* forces) {
@@ -100,21 +115,12 @@ void sum_forces(const UpdateView& view, const std::int32_t* slot_blocks, std::si
 
 Fastest update(const UpdateView& view, int first, int last, double kick, double drift) {
   LargestSquare fastest[2];
-  for (int i = first; i < last; ++i) {
-    const SlotBlock& block = view.blocks[i];
-    const std::ptrdiff_t row = static_cast<std::ptrdiff_t>(block.slot_block) * (kSlotRows * kBlock);
-    double *x = view.coordinates + row, *v = view.velocities + row;
-    for (int part = 0; part < kParts; ++part) {
-      const Lanes3 force = force_on(view, block, part);
-      const std::ptrdiff_t slot = static_cast<std::ptrdiff_t>(block.slot_block) * kBlock;
-      const Lanes gain = broadcast(kick) * load(view.inverse_mass + slot, part);
-      const Lanes vx = move(x, v, part, gain * force.x, broadcast(drift));
-      const Lanes vy = move(x + kBlock, v + kBlock, part, gain * force.y, broadcast(drift));
-      const Lanes vz = move(x + 2 * kBlock, v + 2 * kBlock, part, gain * force.z, broadcast(drift));
-      const Lanes weight = load(view.weight + slot, part);
-      LargestSquare& of_kind = fastest[block.slot_block < view.gradient_block ? 0 : 1];
-      note(of_kind, (weight * weight) * ((vx * vx + vz * vz) + vy * vy));
-    }
+  const auto kind = [&](int i) { return view.blocks[i].slot_block < view.gradient_block ? 0 : 1; };
+  for (int i = first; i < last;) {
+    const int of_run = kind(i);
+    LargestSquare largest = fastest[of_run];  // in registers
+    for (; i < last && kind(i) == of_run; ++i) move_block(view, view.blocks[i], kick, drift, largest);
+    fastest[of_run] = largest;
   }
   return {value(fastest[0]), value(fastest[1])};
 }
