@@ -80,6 +80,16 @@ inline double resolved_stiffness(double mass, double dt) {
   return stiffness_of_impact(mass, kSpeed, kSteps * dt);
 }
 
+// The times (s) of a leapfrog step: forces change velocities over `kick`, half of the last step and half of this one,
+// then velocities move positions over `drift`. Both are the same while steps are equal, and differ by a factor of 1.5
+// where they are halved.
+struct StepTimes {
+  double kick;
+  double drift;
+  // Factor on inverse masses in formulas of equal steps of size `drift`: they mean changes of speed by drift * force.
+  double inertia_factor() const { return kick / drift; }
+};
+
 // Speeds of separation (m/s) about a step, without this contact's force.
 struct StepSpeeds {
   double before;

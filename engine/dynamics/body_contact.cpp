@@ -118,7 +118,7 @@ std::vector<double> BodyContact::shared_inverse_masses(const Step& step, const D
 std::vector<RigidBody> BodyContact::after(const Step& step, std::span<const Wrench> wrenches) const {
   std::vector<RigidBody> result;
   for (std::size_t b = 0; b < step.bodies.size(); ++b) {
-    result.push_back(step.bodies[b].after(wrenches[b], step.controls[b], step.dt));
+    result.push_back(step.bodies[b].after(wrenches[b], step.controls[b], step.times.kick));
   }
   return result;
 }
@@ -146,14 +146,15 @@ void BodyContact::set_normal_forces(const Step& step, std::span<const Wrench> ot
     double inverse_mass = std::max(together, own / static_cast<double>(places_.size()));
     const double root = std::sqrt(place.touch.depth);
     const NormalLaw law{place.stiffness, damping_ * std::sqrt(place.stiffness / inverse_mass)};
-    if (1.5 * place.stiffness * root * inverse_mass * step.dt * step.dt > 1) {
+    if (1.5 * place.stiffness * root * inverse_mass * step.times.kick * step.times.drift > 1) {
       if (shared.empty()) shared = shared_inverse_masses(step, [&](std::size_t j) { return places_[j].touch.normal; });
       inverse_mass = shared[i];
     }
     const Vector3d before = relative_velocity(place, step.bodies[first].rigid(), step.bodies[second].rigid());
     const StepSpeeds speeds{symmetric_dot(normal, before),
                             symmetric_dot(normal, relative_velocity(place, later[first], later[second]))};
-    place.normal = stepped_normal_force(law, place.touch.depth, speeds, inverse_mass, step.dt);
+    place.normal = stepped_normal_force(law, place.touch.depth, speeds, step.times.inertia_factor() * inverse_mass,
+                                        step.times.drift);
   }
 }
 
@@ -177,21 +178,22 @@ void BodyContact::set_friction_forces(const Step& step, std::span<const Wrench> 
   const std::vector<double> shared = shared_inverse_masses(step, [&](std::size_t i) { return direction[i]; });
   for (std::size_t i = 0; i < places_.size(); ++i) {
     if (!(shared[i] > 0)) continue;
-    places_[i].friction = -sliding_resistance(settings_.friction, settings_.friction_velocity, places_[i].normal,
-                                              symmetric_norm(sliding[i]), shared[i], step.dt) *
-                          sliding[i];
+    places_[i].friction =
+        -sliding_resistance(settings_.friction, settings_.friction_velocity, places_[i].normal,
+                            symmetric_norm(sliding[i]), step.times.inertia_factor() * shared[i], step.times.drift) *
+        sliding[i];
   }
 }
 
-void BodyContact::add_forces(std::span<const DynamicBody> bodies, std::span<const BodyControl> controls, double dt,
-                             std::vector<Wrench>& wrenches) {
+void BodyContact::add_forces(std::span<const DynamicBody> bodies, std::span<const BodyControl> controls,
+                             const StepTimes& times, std::vector<Wrench>& wrenches) {
   std::ranges::fill(force_, Vector3d::Zero());
   if (places_.empty()) return;
   for (Place& place : places_) {
-    place.stiffness = place.touch.weight * stiffness_of(*place.pair, dt);
+    place.stiffness = place.touch.weight * stiffness_of(*place.pair, times.drift);
     place.elastic = place.stiffness * place.touch.depth * std::sqrt(place.touch.depth);
   }
-  const Step step{bodies, controls, dt};
+  const Step step{bodies, controls, times};
   set_normal_forces(step, wrenches);
   set_friction_forces(step, wrenches);
   const std::vector<Wrench> sums = sum_by_body([](const Place& place) { return place.force(); });

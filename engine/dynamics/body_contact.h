@@ -34,8 +34,8 @@ class BodyContact {
 
   // Finds the places at the bodies' present positions.
   void find(std::span<const DynamicBody> bodies);
-  // Adds their forces over the coming step of `dt` (s) to `wrenches`, by body, which hold all other forces.
-  void add_forces(std::span<const DynamicBody> bodies, std::span<const BodyControl> controls, double dt,
+  // Adds their forces over the coming step to `wrenches`, by body, which hold all other forces.
+  void add_forces(std::span<const DynamicBody> bodies, std::span<const BodyControl> controls, const StepTimes& times,
                   std::vector<Wrench>& wrenches);
 
   // Of the places found: energy in their springs, J.
@@ -82,7 +82,7 @@ class BodyContact {
   struct Step {
     std::span<const DynamicBody> bodies;
     std::span<const BodyControl> controls;
-    double dt;
+    StepTimes times;
   };
 
   static double stiffness_of(const Pair& pair, double dt);

@@ -126,11 +126,11 @@ struct CableSystem::Impl {
   // `meanwhile`: done by the caller's thread before it takes part.
   template <typename Meanwhile>
   void compute_element_forces(const Meanwhile& meanwhile);
-  void add_hinges(double dt);
+  void add_hinges(double kick);
   void find_contacts(double dt);
-  void add_contacts(double dt);
+  void add_contacts(const StepTimes& times);
   contact_kernel::ContactPower contact_power(contact_kernel::ContactPower on_bodies) const;
-  void touch_bodies(double dt);
+  void touch_bodies(const StepTimes& times);
   void find_cord_speed();
   void note_cord_speed();
   void note_motion();

@@ -64,7 +64,7 @@ void CableSystem::Impl::compute_element_forces(const Meanwhile& meanwhile) {
   }
 }
 
-void CableSystem::Impl::add_hinges(double dt) {
+void CableSystem::Impl::add_hinges(double kick) {
   hinge_power = 0;
   hinge_torques.assign(bodies.size(), SectorSum<Eigen::Vector3d>(Eigen::Vector3d::Zero()));
   for (HingeBlock& block : hinges) {
@@ -74,7 +74,7 @@ void CableSystem::Impl::add_hinges(double dt) {
       std::copy_n(body.rotation().data(), 9, axes.rotation);
       std::copy_n(body.angular_velocity().data(), 3, axes.angular_velocity);
     }
-    step_kernels().hinges(coordinates.rows(), velocities.rows(), inverse_mass.data(), dt, axes, block);
+    step_kernels().hinges(coordinates.rows(), velocities.rows(), inverse_mass.data(), kick, axes, block);
     for (int lane = 0; lane < block.count; ++lane) {
       applied.add(block.gradient1[lane], lane_of(block.on_gradient1, lane));
       applied.add(block.gradient2[lane], lane_of(block.on_gradient2, lane));
@@ -92,10 +92,11 @@ void CableSystem::Impl::find_contacts(double dt) {
   if (cord_contacts) cord_contacts->find(coordinates, velocities, element_length, dt, contacted);
 }
 
-void CableSystem::Impl::add_contacts(double dt) {
-  contacted.predict(velocities, inverse_mass, dt, [this](auto blocks, double* rows) { sum_forces(blocks, rows); });
-  contacts.add_forces(velocities, contacted, inverse_mass, bodies, dt, applied, wrenches);
-  if (cord_contacts) cord_contacts->add_forces(velocities, contacted, inverse_mass, dt, applied);
+void CableSystem::Impl::add_contacts(const StepTimes& times) {
+  contacted.predict(velocities, inverse_mass, times.kick,
+                    [this](auto blocks, double* rows) { sum_forces(blocks, rows); });
+  contacts.add_forces(velocities, contacted, inverse_mass, bodies, times, applied, wrenches);
+  if (cord_contacts) cord_contacts->add_forces(velocities, contacted, inverse_mass, times, applied);
 }
 
 // What all contacts take out of the motion now; `on_bodies`: those of cords with bodies.
@@ -147,10 +148,10 @@ void CableSystem::Impl::note_motion() {
 }
 
 // Last of all: bodies meet each other as all other forces move them.
-void CableSystem::Impl::touch_bodies(double dt) {
+void CableSystem::Impl::touch_bodies(const StepTimes& times) {
   if (!body_contacts) return;
   body_contacts->find(bodies);
-  body_contacts->add_forces(bodies, controls, dt, wrenches);
+  body_contacts->add_forces(bodies, controls, times, wrenches);
 }
 
 // A snapshot leaves the forces of the state behind: the next step need not compute them again.
@@ -162,6 +163,7 @@ void CableSystem::Impl::keep_forces_current(double dt) {
 }
 
 void CableSystem::Impl::compute_forces(double dt) {
+  const StepTimes times{.kick = 0.5 * (last_dt + dt), .drift = dt};
   update_ropes();
   find_cord_speed();
   note_motion();
@@ -169,21 +171,21 @@ void CableSystem::Impl::compute_forces(double dt) {
   compute_element_forces([&] {
     applied.clear();
     for (Wrench& wrench : wrenches) wrench = Wrench{};
-    add_hinges(dt);
+    add_hinges(times.kick);
     wrinkling.add_forces(coordinates, applied);
     if (!ropes.empty()) {
-      ropes.add_flow_forces(coordinates, velocities, last_dt, 0.5 * (last_dt + dt), applied);
+      ropes.add_flow_forces(coordinates, velocities, last_dt, times.kick, applied);
     }
     find_contacts(dt);
   });
-  add_contacts(dt);
+  add_contacts(times);
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     add_attachment_forces(b);
     wrenches[b].force += model.bodies[b].mass * model.gravity;
     wrenches[b].torque +=
         (bodies[b].centre() - bodies[b].rigid().position()).cross(model.bodies[b].mass * model.gravity);
   }
-  touch_bodies(dt);
+  touch_bodies(times);
 }
 
 // What elements and applied forces do to a body through what is attached to it.

@@ -258,8 +258,9 @@ void forces(const ForceView& view, const BodyMotion& body, ContactBlock* contact
       const Lanes3 arm = load3(c.point, part) - broadcast3(body.position);
       const Lanes3 surface = body_velocity(body, arm);
       const Lanes of_cord = shared_inverse_mass(view, c, part);
-      const Lanes w = of_cord + broadcast(body.contacts) * inverse_mass_along(body, arm, normal);
-      const Lanes across = of_cord + broadcast(body.contacts) * largest_inverse_mass(body, arm);
+      const Lanes factor = broadcast(view.inertia_factor), contacts_of_body = broadcast(body.contacts);
+      const Lanes w = factor * (of_cord + contacts_of_body * inverse_mass_along(body, arm, normal));
+      const Lanes across = factor * (of_cord + contacts_of_body * largest_inverse_mass(body, arm));
       const Lanes3 before = velocity_at_slots(view.velocities, c, part) - surface;
       const Lanes approach = dot(before, normal);
       const Lanes3 after = velocity_at_places(view.predicted, c, part) - surface;

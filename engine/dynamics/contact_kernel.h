@@ -54,6 +54,7 @@ struct ForceView {
   const double* shared_weight;  // likewise
   const double* inverse_mass;   // by slot, 1/kg
   double friction, friction_velocity, dt;
+  double inertia_factor;  // of StepTimes
 };
 
 // Vertices (m) of the chains of the elements of a block into three rows each (x, y, z), `count` of them, then a row

@@ -272,13 +272,13 @@ void ContactSolver::for_each_contact(const Function& function) const {
 class ContactSolver::Stop {
  public:
   Stop(std::span<ContactBlock> contacts, const RigidBody& body, double shares, ContactedSlots& contacted,
-       std::span<const double> inverse_mass, double dt)
+       std::span<const double> inverse_mass, const StepTimes& times)
       : contacts_(contacts),
         body_(body),
         shares_(shares),
         contacted_(contacted),
         inverse_mass_(inverse_mass),
-        dt_(dt) {}
+        times_(times) {}
 
   void complete() {
     constexpr int kMostRounds = 200;
@@ -309,9 +309,9 @@ class ContactSolver::Stop {
   void push(const ContactBlock& block, int lane, const Vector3d& force) {
     for (int corner = 0; corner < 4; ++corner) {
       const std::int32_t slot = block.slot[corner][lane];
-      contacted_.add_to_prediction(slot, (dt_ * inverse_mass_[slot] * block.weight[corner][lane]) * force);
+      contacted_.add_to_prediction(slot, (times_.kick * inverse_mass_[slot] * block.weight[corner][lane]) * force);
     }
-    body_.kick(-force, (lane_of(block.point, lane) - body_.position()).cross(-force), dt_);
+    body_.kick(-force, (lane_of(block.point, lane) - body_.position()).cross(-force), times_.kick);
   }
 
   double separation_speed(const ContactBlock& block, int lane) const {
@@ -325,12 +325,12 @@ class ContactSolver::Stop {
     missing_.clear();
     double largest = 0;
     for_each([&](const ContactBlock& block, int lane) {
-      const double allowed = std::max(block.deepest[lane] - block.penetration[lane], 0.0) / dt_;
+      const double allowed = std::max(block.deepest[lane] - block.penetration[lane], 0.0) / times_.drift;
       const double missing = std::max(-allowed - separation_speed(block, lane), 0.0);
       const double w = contacted_.inverse_mass(slots(block, lane), weights(block, lane), inverse_mass_) +
                        shares_ * body_.inverse_mass_at(lane_of(block.point, lane), lane_of(block.normal, lane));
       largest = std::max(largest, missing);
-      missing_.push_back(block.share[lane] * missing / (dt_ * w));
+      missing_.push_back(block.share[lane] * missing / (times_.kick * w));
     });
     if (!(largest > kSmall)) return false;
     std::size_t next = 0;
@@ -349,7 +349,7 @@ class ContactSolver::Stop {
   // over the way. The rest is spent.
   void take_up_springs(ContactBlock& block, int lane) const {
     const NormalLaw law{block.stiffness[lane], 0};
-    const double before = block.penetration[lane], way = -separation_speed(block, lane) * dt_;
+    const double before = block.penetration[lane], way = -separation_speed(block, lane) * times_.drift;
     const double after = before + way;
     if (!(std::abs(way) > 0)) return;
     block.elastic[lane] = block.share[lane] * (elastic_energy(law, after) - elastic_energy(law, before)) / way;
@@ -360,20 +360,21 @@ class ContactSolver::Stop {
   double shares_;
   ContactedSlots& contacted_;
   std::span<const double> inverse_mass_;
-  double dt_;
+  StepTimes times_;
   std::vector<double> missing_;  // N, by contact
 };
 
 void ContactSolver::add_forces(const SlotVectors& velocities, ContactedSlots& contacted,
-                               std::span<const double> inverse_mass, const std::vector<DynamicBody>& bodies, double dt,
-                               AppliedForces& applied, std::vector<Wrench>& wrenches) {
+                               std::span<const double> inverse_mass, const std::vector<DynamicBody>& bodies,
+                               const StepTimes& times, AppliedForces& applied, std::vector<Wrench>& wrenches) {
   const contact_kernel::ForceView view{.velocities = velocities.rows().first,
                                        .predicted = contacted.predicted_rows(),
                                        .shared_weight = contacted.shared_weights(),
                                        .inverse_mass = inverse_mass.data(),
                                        .friction = settings_.friction,
                                        .friction_velocity = settings_.friction_velocity,
-                                       .dt = dt};
+                                       .dt = times.drift,
+                                       .inertia_factor = times.inertia_factor()};
   stops_ = unresolved_ = 0;
   power_before_ = {};
   for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -386,7 +387,7 @@ void ContactSolver::add_forces(const SlotVectors& velocities, ContactedSlots& co
     const int stopped = count_marked(contacts, &ContactBlock::is_stopped);
     if (stopped > 0) {
       stops_ += stopped;
-      Stop(contacts, bodies[b].rigid(), partner.shares, contacted, inverse_mass, dt).complete();
+      Stop(contacts, bodies[b].rigid(), partner.shares, contacted, inverse_mass, times).complete();
     }
     power_before_ += stopped > 0 ? power_of(b, velocities.rows(), bodies[b]) : stored_power(contacts);
     for_each_corner(contacts, [&](const ContactBlock& block, int lane, int corner) {

@@ -48,7 +48,7 @@ class ContactSolver {
   // body's centre of mass). Contact meets the velocities that `contacted` predicts, so that a cord at rest presses with
   // just what loads it.
   void add_forces(const SlotVectors& velocities, ContactedSlots& contacted, std::span<const double> inverse_mass,
-                  const std::vector<DynamicBody>& bodies, double dt, AppliedForces& applied,
+                  const std::vector<DynamicBody>& bodies, const StepTimes& times, AppliedForces& applied,
                   std::vector<Wrench>& wrenches);
 
   // Energy in the springs (J) at the state that find was given.

@@ -191,7 +191,7 @@ void CordContact::find(const SlotVectors& coordinates, const SlotVectors& veloci
 // bending adds, the sliding velocity is x_1 t_1 + x_2 t_2 with G x = s, G_ij = t_i.t_j.
 std::array<double, 2> CordContact::friction(const Contact& contact, const Velocities& velocity,
                                             const ContactedSlots& contacted, std::span<const double> inverse_mass,
-                                            double axis_inverse_mass, double dt) const {
+                                            double axis_inverse_mass, const StepTimes& times) const {
   std::array<double, 2> speed{};
   double bending = 0;  // 1/kg, by which the moments add to the inverse mass
   for (std::size_t i = 0; i < 2; ++i) {
@@ -210,14 +210,15 @@ std::array<double, 2> CordContact::friction(const Contact& contact, const Veloci
   const std::array<double, 2> x = {(uu * speed[0] - tu * speed[1]) / determinant,
                                    (tt * speed[1] - tu * speed[0]) / determinant};
   // determinant / trace is no more than G's smaller eigenvalue.
-  const double root = std::sqrt(axis_inverse_mass) + std::sqrt(bending * (tt + uu) / determinant);
+  const double factor = times.inertia_factor();
+  const double root = std::sqrt(factor * axis_inverse_mass) + std::sqrt(factor * bending * (tt + uu) / determinant);
   const double resistance = sliding_resistance(settings_.friction, settings_.friction_velocity, contact.normal_force,
-                                               symmetric_norm(x[0] * t + x[1] * u), root * root, dt);
+                                               symmetric_norm(x[0] * t + x[1] * u), root * root, times.drift);
   return {-resistance * x[0], -resistance * x[1]};
 }
 
 void CordContact::set_forces(Contact& contact, const SlotVectors& velocities, const ContactedSlots& contacted,
-                             std::span<const double> inverse_mass, double dt) {
+                             std::span<const double> inverse_mass, const StepTimes& times) {
   auto& [a, b] = contact.side;
   const double w =
       contacted.inverse_mass(a.slot, a.point, inverse_mass) + contacted.inverse_mass(b.slot, b.point, inverse_mass);
@@ -227,19 +228,21 @@ void CordContact::set_forces(Contact& contact, const SlotVectors& velocities, co
   const double after_speed = symmetric_dot(after.point, contact.normal);
   // The effective mass of the law is what moves in the discrete model.
   const NormalLaw law{contact.stiffness, damping_ * std::sqrt(contact.stiffness / w)};
-  const double allowed_approach = std::max(contact.distance - kFloor * contact.reach, 0.0) / dt;
-  const double stopping = (-allowed_approach - after_speed) / (dt * w);
-  contact.normal_force = std::max(
-      stepped_normal_force(law, contact.reach - contact.distance, {before_speed, after_speed}, w, dt), stopping);
+  const double allowed_approach = std::max(contact.distance - kFloor * contact.reach, 0.0) / times.drift;
+  const double stopping = (-allowed_approach - after_speed) / (times.kick * w);
+  contact.normal_force =
+      std::max(stepped_normal_force(law, contact.reach - contact.distance, {before_speed, after_speed},
+                                    times.inertia_factor() * w, times.drift),
+               stopping);
   const double penetration = contact.reach - contact.distance;
   if (penetration > contact.deepest) {
     ++partings_;
-    contact.normal_force = std::clamp((kParting - after_speed) / (dt * w), 0.0, contact.normal_force);
+    contact.normal_force = std::clamp((kParting - after_speed) / (times.kick * w), 0.0, contact.normal_force);
   } else {
     contact.elastic = normal_force({contact.stiffness, 0}, penetration, 0);
   }
   if (!(contact.normal_force > 0)) return;
-  const auto along = friction(contact, after, contacted, inverse_mass, w, dt);
+  const auto along = friction(contact, after, contacted, inverse_mass, w, times);
   const Vector3d force = contact.normal_force * contact.normal + (along[0] * a.tangent + along[1] * b.tangent);
   for (std::size_t i = 0; i < 2; ++i) {
     Side& side = contact.side[i];
@@ -250,9 +253,9 @@ void CordContact::set_forces(Contact& contact, const SlotVectors& velocities, co
 }
 
 void CordContact::add_forces(const SlotVectors& velocities, const ContactedSlots& contacted,
-                             std::span<const double> inverse_mass, double dt, AppliedForces& applied) {
+                             std::span<const double> inverse_mass, const StepTimes& times, AppliedForces& applied) {
   if (contacts_.empty()) return;
-  for (Contact& contact : contacts_) set_forces(contact, velocities, contacted, inverse_mass, dt);
+  for (Contact& contact : contacts_) set_forces(contact, velocities, contacted, inverse_mass, times);
   for_each_corner([&](const Side& side, std::size_t corner) {
     applied.add(side.slot[corner], side.end[0][corner] * side.force[0] + side.end[1][corner] * side.force[1]);
   });

@@ -60,7 +60,7 @@ class CordContact {
 
   // Adds the forces of the contacts found to `applied`. Contact meets the velocities that `contacted` predicts.
   void add_forces(const SlotVectors& velocities, const ContactedSlots& contacted, std::span<const double> inverse_mass,
-                  double dt, AppliedForces& applied);
+                  const StepTimes& times, AppliedForces& applied);
 
   // Energy in the springs (J) at the state that find was given.
   double stored_energy() const;
@@ -112,9 +112,10 @@ class CordContact {
   template <typename Vectors>
   Velocities relative_velocity(const Contact& contact, const Vectors& velocities) const;
   void set_forces(Contact& contact, const SlotVectors& velocities, const ContactedSlots& contacted,
-                  std::span<const double> inverse_mass, double dt);
+                  std::span<const double> inverse_mass, const StepTimes& times);
   std::array<double, 2> friction(const Contact& contact, const Velocities& velocity, const ContactedSlots& contacted,
-                                 std::span<const double> inverse_mass, double axis_inverse_mass, double dt) const;
+                                 std::span<const double> inverse_mass, double axis_inverse_mass,
+                                 const StepTimes& times) const;
   // Calls function(contact, side, corner) for every node and gradient of every contact, such that the order of those at
   // any one slot is the same in every sector.
   template <typename Function>

@@ -75,7 +75,7 @@ NETPOCKET_INLINE Hold hold_of(const Lanes& length) {
 
 }  // namespace
 
-void forces(const SlotRows& coordinates, const SlotRows& velocities, const double* inverse_mass, double dt,
+void forces(const SlotRows& coordinates, const SlotRows& velocities, const double* inverse_mass, double kick,
             const Axes& axes, HingeBlock& block) {
   const Matrix to_world = broadcast_matrix(axes.rotation);
   const Lanes3 spin = {broadcast(axes.angular_velocity[0]), broadcast(axes.angular_velocity[1]),
@@ -103,7 +103,7 @@ void forces(const SlotRows& coordinates, const SlotRows& velocities, const doubl
     const Lanes i2 = gather_values(inverse_mass, block.gradient2, part);
     const Lanes turning = i1 / (d1.magnitude * d1.magnitude) + i2 / (d2.magnitude * d2.magnitude);
     const Lanes own_damping = load(block.damping, part);
-    const Lanes allowed = larger(one / (turning * broadcast(dt)), own_damping * ((i1 + i2) / turning));
+    const Lanes allowed = larger(one / (turning * broadcast(kick)), own_damping * ((i1 + i2) / turning));
     const Lanes damping = own_damping < allowed ? own_damping : allowed;
     const Lanes damping_moment = damping * angle_rate;
     const Lanes ratio = sine < broadcast(1e-8) ? one : angle * inverse_sine;

@@ -32,9 +32,9 @@ struct Axes {
 
 // `inverse_mass` by slot, 1/(kg m^2). Where a gradient is short, as in a cord that folds up, its direction turns so
 // easily that an explicit damper would drive it: there damping is no stronger, against the inertia, than for gradients
-// of unit length, unless it takes less than the angle's rate within the step `dt` (s).
-using Kernel = void (*)(const SlotRows& coordinates, const SlotRows& velocities, const double* inverse_mass, double dt,
-                        const Axes& axes, HingeBlock& block);
+// of unit length, unless it takes less than the angle's rate within the step, of which forces act over `kick` (s).
+using Kernel = void (*)(const SlotRows& coordinates, const SlotRows& velocities, const double* inverse_mass,
+                        double kick, const Axes& axes, HingeBlock& block);
 
 namespace baseline {
 void forces(const SlotRows&, const SlotRows&, const double*, double, const Axes&, HingeBlock&);

@@ -48,6 +48,7 @@ struct Contacts {
   std::vector<double> inverse_mass;
   ContactedSlots contacted{kSlots};
   double friction = 0.3, friction_velocity = 1e-3, dt = 2e-4;
+  double inertia_factor = 1.5;  // of a step after one that was twice as long
 
   explicit Contacts(VerificationKernels& random) {
     for (int slot = 0; slot < kSlots; ++slot) {
@@ -85,7 +86,8 @@ struct Contacts {
             inverse_mass.data(),
             friction,
             friction_velocity,
-            dt};
+            dt,
+            inertia_factor};
   }
   ElementSlots slot(int lane) const {
     return {block.slot[0][lane], block.slot[1][lane], block.slot[2][lane], block.slot[3][lane]};
@@ -110,9 +112,11 @@ struct Contacts {
     Eigen::Matrix3d inverse_inertia;
     for (int axis = 0; axis < 3; ++axis) inverse_inertia.row(axis) = Vector3d(body.inverse_inertia[axis]);
     const double of_cord = contacted.inverse_mass(slot(lane), weight(lane), inverse_mass);
-    const double w = of_cord + body.contacts * (body.inverse_mass + turn.dot(inverse_inertia * turn));
+    const double w =
+        inertia_factor * (of_cord + body.contacts * (body.inverse_mass + turn.dot(inverse_inertia * turn)));
     const double across =
-        of_cord + body.contacts * (body.inverse_mass + arm.squaredNorm() * body.largest_inverse_inertia);
+        inertia_factor *
+        (of_cord + body.contacts * (body.inverse_mass + arm.squaredNorm() * body.largest_inverse_inertia));
     const Vector3d after = combine(contacted, slot(lane), weight(lane)) - surface;
     const NormalLaw law{block.stiffness[lane], block.damping[lane]};
     const double allowed = std::max(block.deepest[lane] - block.penetration[lane], 0.0) / dt;

@@ -261,7 +261,7 @@ TEST_F(VerificationWholeCord, Capstan) {
 }
 
 TEST_F(VerificationWholeCord, NothingTunnelsThroughAPanel) {
-  for (const double speed : {1.0, 10.0, 50.0, 100.0}) {
+  for (const double speed : {1.0, 10.0, 50.0, 100.0, 300.0, 1000.0, 3000.0, 9000.0}) {
     int through = 0, hits = 0;
     for (double place = 0; place < 0.5; place += 0.02) {
       CableMaterial cord = net_cord();
@@ -271,8 +271,10 @@ TEST_F(VerificationWholeCord, NothingTunnelsThroughAPanel) {
       cable.model.add_body(anvil(Box{{6, 0.02, 6}}, {place, 0, 0}));
       CableSystem system(cable.model);
       move_anvil(system, Vector3d::Zero());
-      const double dt = 0.8 * system.stable_step().step;
-      for (int i = 0; i < 30 + 2 / (speed * dt) && system.time() < 1; ++i) system.step(dt);
+      // Bends of cords that a blow has stretched are stiffer: steps follow, as in a run.
+      const StableStep straight = system.stable_step();
+      const double end = 30 * straight.step + 2 / speed;
+      while (system.time() < end && !system.fault()) system.step(0.8 * system.stable_step_as_bent(straight));
       ++hits;
       for (const std::int32_t node : cable.nodes) {
         if (system.position(node).y() < -0.01) {
