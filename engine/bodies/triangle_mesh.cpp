@@ -36,6 +36,11 @@ Moments integrate_solid(const MeshData& data) {
   return sum;
 }
 
+Vector3d centre_of_mass(const MeshData& data) {
+  const Moments moments = integrate_solid(data);
+  return moments.first / moments.volume;
+}
+
 Vector3d unit_or_zero(const Vector3d& v) {
   const double length = v.norm();
   return length > 0 ? Vector3d(v / length) : Vector3d::Zero();
@@ -94,20 +99,27 @@ TriangleMesh::TriangleMesh(MeshData data, const MeshEdges& edges) : data_(std::m
   tree_ = TriangleTree(corners);
 }
 
+// A mesh that was centred before, and stored, is left as it is; all else follows from the centred vertices. So a run
+// goes on with the mesh in its recording to the last bit.
 void TriangleMesh::integrate() {
-  // About the middle of the mesh, so that far-away coordinates cost no digits.
-  const Vector3d middle = bounds_.center();
-  for (Vector3d& vertex : data_.vertices) vertex -= middle;
-  const Moments moments = integrate_solid(data_);
-  volume_ = moments.volume;
-  const Vector3d centre = moments.first / volume_;
-  for (Vector3d& vertex : data_.vertices) {
-    vertex -= centre;
+  constexpr double kRoundOff = 1e-12;  // of the extent; once centred, 1e-15 is left
+  const Vector3d offset = centre_of_mass(data_);
+  if (!(offset.norm() <= kRoundOff * bounds_.sizes().maxCoeff())) {
+    // First to the middle of the mesh, so that far-away coordinates cost no digits.
+    const Vector3d middle = bounds_.center();
+    for (Vector3d& vertex : data_.vertices) vertex -= middle;
+    const Vector3d centre = centre_of_mass(data_);
+    for (Vector3d& vertex : data_.vertices) vertex -= centre;
+    centre_ = middle + centre;
+  }
+  bounds_.setEmpty();
+  for (const Vector3d& vertex : data_.vertices) {
+    bounds_.extend(vertex);
     bounding_radius_ = std::max(bounding_radius_, vertex.norm());
   }
-  centre_ = middle + centre;
-  bounds_.translate(-centre_);
-  const Matrix3d second = moments.second / volume_ - centre * centre.transpose();
+  const Moments moments = integrate_solid(data_);
+  volume_ = moments.volume;
+  const Matrix3d second = moments.second / volume_;
   unit_inertia_ = second.trace() * Matrix3d::Identity() - second;
 }
 

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "engine/dynamics/recorded_scenario.h"
 #include "engine/recording/recording.h"
 #include "engine/scenario/check_scenario.h"
 #include "engine/scenario/read_scenario.h"
+#include "engine/scenario/target_shape.h"
 #include "engine/scenario/write_scenario.h"
 
 namespace netpocket {
@@ -17,13 +19,18 @@ namespace {
 constexpr std::size_t kLargestMemory = 128 << 20;
 constexpr double kRounding = 1e-9;  // s
 
-// A scenario that a checkpoint or a recording holds.
-Scenario stored_scenario(const std::string& text) {
-  const ScenarioResult result = read_scenario_text(text, "scenario of the run");
+Scenario valid(const ScenarioResult& result) {
   Diagnostics problems = result.diagnostics;
   if (problems.ok()) problems = check_scenario(result.scenario);
   if (!problems.ok()) throw ResumeError(fmt::format("its scenario is not valid here: {}", problems.list()[0].text()));
   return result.scenario;
+}
+
+// The scenario of a strategy, with the files of the run's.
+Scenario stored_strategy(const std::string& text, const FileScope& files) {
+  ScenarioResult result = read_scenario_text(text, "scenario of the run");
+  result.scenario.files = files;
+  return valid(result);
 }
 
 void restore(Simulation& simulation, const Checkpoint& checkpoint) {
@@ -40,8 +47,14 @@ Checkpoint take_checkpoint(const Simulation& simulation, const Scenario* strateg
   return {simulation.time(), simulation.checkpoint(), strategy ? write_scenario_text(*strategy) : ""};
 }
 
+CheckpointLog::CheckpointLog(const Scenario& scenario, const SimulationOptions& options)
+    : scenario_(scenario), options_(options) {
+  const auto shape = target_shape(scenario);
+  if (const auto* valid_shape = std::get_if<Shape>(&shape)) keep_mesh(scenario_, *valid_shape);
+}
+
 CheckpointLog::CheckpointLog(const Recording& recording, double time, const SimulationOptions& options)
-    : scenario_(stored_scenario(recording.origin().scenario_text)), options_(options) {
+    : scenario_(valid(recorded_scenario(recording))), options_(options) {
   const auto& times = recording.checkpoint_times();
   const auto count = static_cast<std::size_t>(std::ranges::upper_bound(times, time + kRounding) - times.begin());
   for (std::size_t i = 0; i < count; ++i) {
@@ -88,7 +101,7 @@ Simulation CheckpointLog::simulation_at(double time, const std::stop_token& stop
     // Each change is repeated in the state in which it was made, since what it does depends on that state.
     if (!last->changes_strategy()) continue;
     restore(simulation, *last);
-    Scenario strategy = stored_scenario(last->strategy);
+    Scenario strategy = stored_strategy(last->strategy, scenario_.files);
     if (end_time_ > 0) strategy.output.end_time = end_time_;
     simulation.change_strategy(strategy);
   }

@@ -31,7 +31,8 @@ Checkpoint take_checkpoint(const Simulation& simulation, const Scenario* strateg
 class CheckpointLog {
  public:
   CheckpointLog() = default;
-  CheckpointLog(const Scenario& scenario, const SimulationOptions& options) : scenario_(scenario), options_(options) {}
+  // Of a run that begins now: with the target's mesh as it is now.
+  CheckpointLog(const Scenario& scenario, const SimulationOptions& options);
   // What of a recorded run leads to `time`: its changes of strategy and the last state before. Throws RecordingError
   // when the file is damaged and ResumeError when its scenario is not valid here.
   CheckpointLog(const Recording& recording, double time, const SimulationOptions& options);
@@ -41,7 +42,7 @@ class CheckpointLog {
   // Keeps the state in which a strategy takes over.
   void note_change(std::shared_ptr<const Checkpoint> checkpoint);
 
-  // The scenario that the run began with.
+  // The scenario that the run began with, its mesh included.
   const Scenario& scenario() const { return scenario_; }
   bool changes_strategy() const;
   // Continues to another end time (s) than the run's scenarios say.

@@ -4,10 +4,13 @@
 // gives its TOML key, unit, limits, help and source. The defaults here are those of scenarios/case1.toml.
 
 #include <Eigen/Core>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace netpocket {
+
+class TriangleMesh;  // bodies/triangle_mesh.h
 
 enum class TargetShape { sphere, box, cylinder, satellite, mesh };
 enum class MeshUnit { metre, centimetre, millimetre, inch, foot };
@@ -127,10 +130,19 @@ struct OutputParameters {
   double frame_rate = 50;  // recorded frames per simulated second
 };
 
+// What target.mesh_file was when a run began: the run goes on with this mesh, whatever has become of the file. Another
+// name or unit means another mesh.
+struct KeptMesh {
+  std::string file;
+  MeshUnit unit = MeshUnit::metre;
+  std::shared_ptr<const TriangleMesh> mesh;  // null: none
+};
+
 // Where files that a scenario names may be. Not a parameter: it comes from where the scenario comes from.
 struct FileScope {
   std::string folder;            // of the scenario's file; empty: it has none, and relative names lead nowhere
   bool allows_absolute = false;  // the user named the file himself, on the command line
+  KeptMesh kept_mesh = {};
 };
 
 struct Scenario {

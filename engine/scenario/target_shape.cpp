@@ -92,6 +92,8 @@ std::variant<Shape, Diagnostic> mesh_shape(const Scenario& scenario) {
     return Diagnostic{.key = kMeshKey, .message = fmt::format("{} {}", netpocket::quoted(name), rest)};
   };
   if (name.empty()) return Diagnostic{.key = kMeshKey, .message = "the shape \"mesh\" needs a file, .stl or .obj"};
+  const KeptMesh& kept = scenario.files.kept_mesh;
+  if (kept.mesh && kept.file == name && kept.unit == scenario.target.mesh_unit) return Shape(MeshShape{kept.mesh});
   const auto path = allowed_path(scenario.files, name);
   if (const auto* problem = std::get_if<std::string>(&path)) return fails(*problem);
   const auto mesh = latest.get(std::get<fs::path>(path).string(), metres(scenario.target.mesh_unit));
@@ -125,6 +127,12 @@ std::variant<Shape, Diagnostic> target_shape(const Scenario& scenario) {
       break;
   }
   return Shape(Sphere{target.radius});
+}
+
+void keep_mesh(Scenario& scenario, const Shape& shape) {
+  const auto* mesh = std::get_if<MeshShape>(&shape);
+  if (scenario.target.shape != TargetShape::mesh || !mesh) return;
+  scenario.files.kept_mesh = {scenario.target.mesh_file, scenario.target.mesh_unit, mesh->mesh};
 }
 
 Eigen::Matrix3d target_inertia(const TargetParameters& target, const Shape& shape) {

@@ -2,11 +2,11 @@
 
 #include <memory>
 
+#include "engine/dynamics/recorded_scenario.h"
 #include "engine/dynamics/run.h"
 #include "engine/files/output_list.h"
 #include "engine/recording/report.h"
 #include "engine/scenario/parameter_text.h"
-#include "engine/scenario/read_scenario.h"
 #include "gui/commands/command.h"
 #include "gui/commands/interrupt.h"
 #include "gui/commands/options.h"
@@ -155,11 +155,9 @@ ExitCode start(const RunChoice& choice, const std::string& command_line) {
   });
 }
 
-// The scenario that a recording was made with.
-Scenario recorded_scenario(const Recording& recording) {
-  const ScenarioResult result = read_scenario_text(recording.origin().scenario_text, recording.path());
-  if (!result.ok()) throw CommandError(ExitCode::bad_input, result.diagnostics.text());
-  return result.scenario;
+Scenario valid(const ScenarioResult& recorded) {
+  if (!recorded.ok()) throw CommandError(ExitCode::bad_input, recorded.diagnostics.text());
+  return recorded.scenario;
 }
 
 // A scenario that is named along with --resume must be the recorded one; only the end may differ.
@@ -190,7 +188,7 @@ ExitCode resume(RunChoice choice, const std::string& command_line) {
   Scenario scenario;
   {
     const Recording recording = open_recording(choice.resumed);
-    scenario = recorded_scenario(recording);
+    scenario = valid(recorded_scenario(recording));
     require_same_scenario(choice.scenario, scenario, choice.resumed);
     if (choice.until > 0) scenario.output.end_time = choice.until;
     if (recording.status().reason == RunReason::finished &&

@@ -110,6 +110,24 @@ TEST(Robustness, AFullDiskEndsTheRunWithTheReason) {
   EXPECT_GT(recording.frame_count(), 10u);
 }
 
+TEST(Robustness, AMeshTargetIsResumedWithoutItsFile) {
+  const TestFolder folder;
+  std::filesystem::copy(scenario_file("meshes"), folder.file("meshes"));
+  const std::string scenario = folder.file("stage.toml"), whole = folder.file("whole.h5"), cut = folder.file("cut.h5");
+  std::filesystem::copy_file(scenario_file("spent_stage.toml"), scenario);
+  const auto run = [&](const std::string& path, const std::string& until) {
+    const auto result = run_program({"run", scenario, "-o", path, "--until", until, "--quiet", "--set",
+                                     "pocket.mesh_columns=2", "--set", "pocket.mesh_rows=2"});
+    ASSERT_EQ(result.exit_code, 0) << result.error;
+  };
+  run(whole, "1.4");
+  run(cut, "1.1");
+  std::filesystem::remove_all(folder.file("meshes"));
+  const auto resumed = run_program({"run", "--resume", cut, "--until", "1.4", "--quiet"});
+  ASSERT_EQ(resumed.exit_code, 0) << resumed.error;
+  expect_same_frames(cut, whole);
+}
+
 TEST(Robustness, ResumeRefusesAnotherScenario) {
   const TestFolder folder;
   const std::string path = short_recording(folder);

@@ -104,6 +104,8 @@ ScenarioDocument::StatePointer ScenarioDocument::with_folder(const StatePointer&
   if (state->scenario.files.folder == folder) return state;
   State moved = *state;
   moved.scenario.files.folder = folder;
+  // A file of its own says what it is about; a scenario that a recording holds has none.
+  if (!folder.empty()) moved.scenario.files.kept_mesh = {};
   return std::make_shared<const State>(std::move(moved));
 }
 

@@ -4,7 +4,7 @@
 #include <QFileInfo>
 #include <QUuid>
 
-#include "engine/scenario/read_scenario.h"
+#include "engine/dynamics/recorded_scenario.h"
 
 namespace netpocket {
 
@@ -137,7 +137,7 @@ struct RunLibrary::OpenedRecording {
 void RunLibrary::read_recording(const QString& path, bool recovered) {
   try {
     Recording recording(path.toStdString());
-    auto scenario = read_scenario_text(recording.origin().scenario_text, path.toStdString()).scenario;
+    auto scenario = recorded_scenario(recording).scenario;
     std::shared_ptr<const Snapshot> first;
     if (recording.frame_count() > 0) first = std::make_shared<const Snapshot>(recording.frame(0));
     const auto opened = std::make_shared<OpenedRecording>(

@@ -75,7 +75,7 @@ void WorkerLoop::on(const BeginRun& command) {
   running_ = false;
   report_state(WorkerState::preparing, {});
   note_start(command);
-  install(command.run, Simulation(command.scenario, SimulationOptions{worker_.threads_}));
+  install(command.run, Simulation(logs_[command.run].scenario(), SimulationOptions{worker_.threads_}));
 }
 
 void WorkerLoop::on(const BeginBranch& command) {

@@ -8,6 +8,7 @@
 #include "engine/dynamics/run.h"
 #include "engine/recording/recording.h"
 #include "engine/scenario/check_scenario.h"
+#include "tests/engine/bodies/mesh_samples.h"
 
 namespace netpocket {
 namespace {
@@ -94,6 +95,37 @@ TEST_F(Resume, EqualsTheUninterruptedRunToTheLastBit) {
   EXPECT_TRUE(result.recorded);
   expect_same_run(cut, whole);
   EXPECT_EQ(Recording(cut).checkpoint_times().size(), 3u);  // at 0, 1 and 2 s
+}
+
+// The recording holds all that is needed, also of a mesh whose file has gone or changed.
+TEST_F(Resume, WithATargetOfAnyShape) {
+  for (const TargetShape shape :
+       {TargetShape::sphere, TargetShape::box, TargetShape::cylinder, TargetShape::satellite, TargetShape::mesh}) {
+    Scenario scenario = quick_scenario(1.4);
+    scenario.target.shape = shape;
+    scenario.target.radius = 2.5;
+    scenario.target.size = {2.5, 2.6, 2.7};
+    scenario.target.velocity = {2, -0.4, 0.3};
+    scenario.target.mesh_file = "body.obj";
+    scenario.target.mesh_unit = MeshUnit::centimetre;
+    scenario.files.folder = file("");
+    const MeshData body = samples::moved(samples::torus(210, 90, 24, 12), {31, -17, 7});
+    samples::write_file(file("body.obj"), samples::obj(body));
+    ASSERT_EQ(check_scenario(scenario).text(), "");
+    const std::string whole = file("whole.h5"), cut = file("cut.h5"), again = file("again.h5");
+    for (const std::string& path : {whole, cut, again}) std::filesystem::remove(path);
+    run_to_recording(scenario, whole, kProgram);
+    ASSERT_FALSE(Recording(whole).frame(Recording(whole).frame_count() - 1).contacts.empty())
+        << static_cast<int>(shape);
+    run_and_stop(scenario, cut, 22);
+    std::filesystem::remove(file("body.obj"));
+    resume_recording(cut, again, kProgram);
+    expect_same_run(again, whole);
+    samples::write_file(file("body.obj"), samples::obj(samples::box({100, 100, 100})));
+    std::filesystem::remove(again);
+    resume_recording(cut, again, kProgram);
+    expect_same_run(again, whole);
+  }
 }
 
 TEST_F(Resume, GoesOnBeyondTheEndAsALongerRunWould) {

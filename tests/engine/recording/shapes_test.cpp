@@ -45,8 +45,10 @@ TEST(RecordedShapes, ComeBackWhole) {
     const TriangleMesh &found = mesh_of(bodies[i]), &written = mesh_of(expected.bodies[i]);
     EXPECT_EQ(found.triangles(), written.triangles());
     ASSERT_EQ(found.vertices().size(), written.vertices().size());
-    for (std::size_t v = 0; v < found.vertices().size(); ++v)
-      EXPECT_LT((found.vertices()[v] - written.vertices()[v]).norm(), 1e-14);  // centred once more
+    EXPECT_EQ(found.vertices(), written.vertices());
+    EXPECT_EQ(found.volume(), written.volume());
+    EXPECT_EQ(found.unit_inertia(), written.unit_inertia());
+    EXPECT_EQ(found.bounding_radius(), written.bounding_radius());
   }
   // Bodies that shared a mesh share it again.
   EXPECT_EQ(&mesh_of(bodies[2]), &mesh_of(bodies[4]));

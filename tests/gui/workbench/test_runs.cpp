@@ -1,6 +1,7 @@
 #include <QFile>
 
 #include "engine/scenario/parameters.h"
+#include "engine/scenario/write_scenario.h"
 #include "gui/workbench/editor/scenario_editor.h"
 #include "gui/workbench/run_actions.h"
 #include "gui/workbench/session/frame_cache.h"
@@ -97,6 +98,41 @@ TEST_F(WindowTest, BranchOfARecordingGoesOnAtOnce) {
   EXPECT_EQ(session.live(), session.current());
   EXPECT_NEAR(session.runs().find(before)->end_time(), 0.3, 1e-6);
   EXPECT_EQ(session.runs().find(before)->state, RunState::recorded);
+}
+
+// The recording holds the mesh: its file may be gone.
+TEST_F(WindowTest, BranchOfARecordingWithAMesh) {
+  Scenario scenario = quick_scenario();
+  scenario.target.shape = TargetShape::mesh;
+  scenario.target.mesh_file = "body.obj";
+  const auto write = [](const QString& path, const std::string& text) {
+    QFile out(path);
+    return out.open(QIODevice::WriteOnly) && out.write(text.data(), static_cast<qint64>(text.size())) > 0;
+  };
+  ASSERT_TRUE(write(file("body.obj"), "v 0 0 0\nv 3 0 0\nv 0 3 0\nv 0 0 3\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n"));
+  ASSERT_TRUE(write(file("mine.toml"), write_scenario_text(scenario)));
+  window_->open(file("mine.toml"));
+  ASSERT_TRUE(run_to(0.3));
+  auto& session = window_->session();
+  // A branch of the run that goes on, and one of its recording.
+  ASSERT_TRUE(QFile::remove(file("body.obj")));
+  session.runs().save(session.current()->id, file("saved.h5"));
+  ASSERT_TRUE(wait_until([&] { return session.runs().unsaved().empty(); }));
+  Scenario faster = window_->document().scenario();
+  faster.closing.duration = 0.6;
+  session.show_time(0.2);
+  for (int branches = 0; branches < 2; ++branches) {
+    ASSERT_TRUE(session.branch(faster));
+    session.resume({.until = 0.4});
+    ASSERT_TRUE(wait_until([&] { return session.live() && session.live()->end_time() >= 0.4 - 1e-6; }));
+  }
+  window_->open(file("saved.h5"));
+  ASSERT_TRUE(wait_until([&] { return session.current() && !session.current()->simulated_here; }));
+  EXPECT_TRUE(window_->scenario_to_run()) << "the recorded scenario can be simulated";
+  session.show_time(0.2);
+  ASSERT_TRUE(session.branch(window_->document().scenario()));
+  session.resume({.until = 0.4});
+  ASSERT_TRUE(wait_until([&] { return session.live() && session.live()->end_time() >= 0.4 - 1e-6; }));
 }
 
 // Every frame that is listed of a run that was left in full speed is in its recording.
