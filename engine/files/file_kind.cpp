@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <filesystem>
+#include <fstream>
 
 namespace netpocket {
 namespace {
@@ -75,6 +76,20 @@ bool has_table(Content content) {
 bool is_view(Content content) { return is_text(content) && has_key(content, "focal_point") && !has_table(content); }
 bool is_scenario(Content content) { return is_text(content) && has_table(content) && contains(content, "="); }
 
+// Any text that could be TOML; a scenario may have no table. Its first line that says anything is a table or a key.
+bool may_be_toml(Content content) {
+  if (!is_text(content)) return false;
+  while (begins(trimmed(content), "#")) {
+    content = trimmed(content);
+    content.remove_prefix(std::min(content.find('\n'), content.size()));
+  }
+  const Content line = trimmed(content).substr(0, trimmed(content).find('\n'));
+  return line.empty() || begins(line, "[") || (contains(line, "=") && !begins(line, "<"));
+}
+bool is_own_scenario(Content content) { return may_be_toml(content) && !is_view(content); }
+
+bool is_findings(Content content) { return is_text(content) && begins(content, "F1 "); }
+
 // The reports of studies begin with a heading, scenarios often with a comment that looks like one.
 bool is_markdown(Content content) { return is_text(content) && begins(trimmed(content), "#") && !is_scenario(content); }
 
@@ -91,6 +106,15 @@ bool is_log(Content content) {
   return std::equal(kPattern.begin(), kPattern.end(), content.begin(), [](char pattern, char c) {
     return pattern == 'd' && std::isdigit(static_cast<unsigned char>(c)) != 0 ? true : pattern == c;
   });
+}
+
+// Binary STL has no mark of its own: only that of this program is known (engine/bodies/mesh_output).
+bool is_stl(Content content) {
+  return begins(content, "netpocket   ") || (begins(trimmed(content), "solid") && contains(content, "facet"));
+}
+
+bool is_obj(Content content) {
+  return is_text(content) && (begins(content, "v ") || contains(content, "\nv ")) && !is_scenario(content);
 }
 
 struct Kind {
@@ -115,6 +139,10 @@ constexpr std::array kKinds = {
     Kind{FileKind::markdown, "a Markdown report", ".md", is_markdown},
     Kind{FileKind::json, "a JSON file", ".json", is_data},
     Kind{FileKind::log, "a log of netpocket", ".log", is_log},
+    Kind{FileKind::stl, "an STL mesh", ".stl", is_stl},
+    Kind{FileKind::obj, "an OBJ mesh", ".obj", is_obj},
+    Kind{FileKind::scenario, "a scenario", ".toml", is_own_scenario},
+    Kind{FileKind::findings, "a list of findings", ".txt", is_findings},
 };
 
 const Kind& entry(FileKind kind) {
@@ -130,12 +158,12 @@ constexpr std::array<std::pair<FileKind, std::string_view>, 6> kOtherSuffixes = 
                                                                                   {FileKind::markdown, ".txt"}}};
 
 // Suffixes of formats that this program does not write.
-constexpr std::array<std::string_view, 60> kForeignSuffixes = {
-    ".jpg", ".jpeg", ".gif", ".bmp",  ".tif",    ".tiff", ".webp", ".eps",  ".ps",  ".avif", ".exr", ".ppm",
-    ".mov", ".avi",  ".mkv", ".webm", ".mpg",    ".ogv",  ".mpeg", ".gltf", ".obj", ".stl",  ".ply", ".fbx",
-    ".usd", ".usdz", ".dae", ".3mf",  ".step",   ".stp",  ".igs",  ".tsv",  ".xls", ".ods",  ".xml", ".yaml",
-    ".yml", ".ini",  ".rst", ".doc",  ".docx",   ".odt",  ".tex",  ".nc",   ".mat", ".npy",  ".npz", ".vtu",
-    ".vtk", ".py",   ".sh",  ".xlsx", ".vtkhdf", ".zip",  ".gz",   ".tar",  ".7z",  ".xz",   ".bz2", ".apng"};
+constexpr std::array<std::string_view, 58> kForeignSuffixes = {
+    ".jpg", ".jpeg", ".gif",    ".bmp",  ".tif", ".tiff", ".webp", ".eps",  ".ps",  ".avif", ".exr", ".ppm",
+    ".mov", ".avi",  ".mkv",    ".webm", ".mpg", ".ogv",  ".mpeg", ".gltf", ".ply", ".fbx",  ".usd", ".usdz",
+    ".dae", ".3mf",  ".step",   ".stp",  ".igs", ".tsv",  ".xls",  ".ods",  ".xml", ".yaml", ".yml", ".ini",
+    ".rst", ".doc",  ".docx",   ".odt",  ".tex", ".nc",   ".mat",  ".npy",  ".npz", ".vtu",  ".vtk", ".py",
+    ".sh",  ".xlsx", ".vtkhdf", ".zip",  ".gz",  ".tar",  ".7z",   ".xz",   ".bz2", ".apng"};
 
 std::string suffix_of(const std::string& path) {
   std::string text = std::filesystem::path(path).extension().string();
@@ -159,14 +187,26 @@ bool may_replace(FileKind kind, std::string_view content) {
   return is_blank || entry(kind).is_it(content);
 }
 
-std::string_view content_description(std::string_view content) {
+std::string_view marked_description(std::string_view content) {
   if (is_hdf5(content)) return "an HDF5 file, such as a recording";
   for (const FileKind kind : {FileKind::png, FileKind::pdf, FileKind::video, FileKind::gltf, FileKind::html,
-                              FileKind::svg, FileKind::vtp, FileKind::log, FileKind::view}) {
+                              FileKind::svg, FileKind::vtp, FileKind::log, FileKind::stl, FileKind::obj}) {
     if (entry(kind).is_it(content)) return description(kind);
   }
+  return {};
+}
+
+std::string_view content_description(std::string_view content) {
+  if (const std::string_view marked = marked_description(content); !marked.empty()) return marked;
+  if (is_view(content)) return description(FileKind::view);
   if (is_scenario(content)) return "a TOML file, such as a scenario";
   return is_text(content) ? "a text file of another kind" : "a file of another kind";
+}
+
+bool is_recording_file(const std::string& path) {
+  std::string start(8, '\0');
+  std::ifstream file(path, std::ios::binary);
+  return file.read(start.data(), static_cast<std::streamsize>(start.size())) && is_hdf5(start);
 }
 
 bool names_another_format(FileKind kind, const std::string& path) {

@@ -39,6 +39,7 @@ Action declare_export(CLI::App& app);
 Action declare_info(CLI::App& app);
 Action declare_findings(CLI::App& app);
 Action declare_study(CLI::App& app);
+Action declare_mesh(CLI::App& app);
 Action declare_backends(CLI::App& app);
 Action declare_workbench(CLI::App& app);  // in programs built with the workbench
 

@@ -37,6 +37,7 @@ constexpr std::array kCommands = {
     Command{"info", "what a recording holds and came to", declare_info},
     Command{"findings", "whether recordings show what the paper found", declare_findings},
     Command{"study", "run many variations of a scenario side by side and tabulate them", declare_study},
+    Command{"mesh", "tell whether a mesh file can be a target, draw it, and mend what is unambiguous", declare_mesh},
     Command{"backends", "which ways to draw without a display there are", declare_backends},
 };
 

@@ -72,6 +72,10 @@ std::string target_line(const Scenario& scenario, const Shape& shape) {
     text += fmt::format(" {}, {} triangles, {} vertices, centre of mass at ({:.4g}, {:.4g}, {:.4g}) m of the file",
                         netpocket::quoted(scenario.target.mesh_file), mesh.triangles().size(), mesh.vertices().size(),
                         centre.x(), centre.y(), centre.z());
+    if (mesh.joined_corners() > 0) {
+      text += fmt::format(", {} corners joined that differed by at most {:.3g} m", mesh.joined_corners(),
+                          mesh.weld_tolerance());
+    }
   }
   const Eigen::Vector3d size = extents(shape).sizes();
   return text +

@@ -9,6 +9,7 @@
 
 #include "engine/files/destination.h"
 #include "engine/scenario/check_scenario.h"
+#include "engine/scenario/parameter_text.h"
 #include "engine/scenario/read_scenario.h"
 #include "gui/commands/command.h"
 #include "gui/commands/spelling.h"
@@ -36,6 +37,8 @@ std::vector<std::string> parts_of(const std::string& list) {
   }
   return parts;
 }
+
+constexpr int kLargestSide = 16384;  // pixels, without supersampling
 
 void require_ok(const Diagnostics& diagnostics, const std::string& file) {
   if (diagnostics.ok()) return;
@@ -129,12 +132,21 @@ CLI::Validator whole_number(int lowest, int highest) {
   return {check, "", "whole_number"};
 }
 
+CLI::Validator allowed_for(std::string_view parameter) {
+  const Parameter& limited = *find_parameter(parameter);
+  const auto check = [&limited](const std::string& text) -> std::string {
+    const auto value = parse<double>(text);
+    return value ? limit_problem(limited, *value).value_or("") : fmt::format("\"{}\" is not a number", text);
+  };
+  return {check, "", "allowed_for"};
+}
+
 std::optional<PictureSize> picture_size(const std::string& text) {
-  constexpr int kSmallest = 16, kLargest = 16384;
+  constexpr int kSmallest = 16;
   const std::size_t cross = text.find('x');
   if (cross == std::string::npos) return std::nullopt;
   const auto width = parse<int>(text.substr(0, cross)), height = parse<int>(text.substr(cross + 1));
-  const auto fits = [](const auto& side) { return side && *side >= kSmallest && *side <= kLargest; };
+  const auto fits = [](const auto& side) { return side && *side >= kSmallest && *side <= kLargestSide; };
   if (!fits(width) || !fits(height)) return std::nullopt;
   return PictureSize{*width, *height};
 }
@@ -142,7 +154,10 @@ std::optional<PictureSize> picture_size(const std::string& text) {
 CLI::Validator is_picture_size() {
   const auto check = [](const std::string& text) -> std::string {
     if (picture_size(text)) return {};
-    return fmt::format("\"{}\" is not a size such as 1280x720, from 16x16 to 16384x16384", text);
+    return fmt::format(
+        "\"{}\" is not a size such as 1280x720: sides have 16 pixels or more, and {} or less when "
+        "multiplied by --supersampling",
+        text, kLargestSide);
   };
   return {check, "", "is_picture_size"};
 }

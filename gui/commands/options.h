@@ -15,6 +15,8 @@ CLI::Validator positive_number();
 CLI::Validator number_not_below_zero();
 CLI::Validator number_between(double lowest, double highest);
 CLI::Validator whole_number(int lowest, int highest);
+// A number within the limits of a parameter.
+CLI::Validator allowed_for(std::string_view parameter);
 
 // Numbers between commas, such as "0,2.5,5". The check refuses parts that are empty or no numbers from 0.
 std::vector<double> numbers_of(const std::string& list);
@@ -26,7 +28,7 @@ CLI::Validator range_of_numbers();
 // Pictures per second.
 inline constexpr double kLowestRate = 0.001, kHighestRate = 1000;
 
-// "1280x720", each side 16 to 16384.
+// "1280x720", each side 16 to 16384 before supersampling.
 struct PictureSize {
   int width = 0;   // pixels
   int height = 0;  // pixels

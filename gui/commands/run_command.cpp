@@ -231,7 +231,8 @@ Action declare_run(CLI::App& app) {
   scenario->required(false);
   app.add_option("--until", choice->until, "simulated time at which the run ends, s; instead of output.end_time")
       ->type_name("T")
-      ->check(positive_number());
+      ->check(positive_number())
+      ->check(allowed_for("output.end_time"));
   app.add_option("--threads", choice->threads, "threads; the result is the same for any number")
       ->type_name("N")
       ->check(whole_number(1, 256))

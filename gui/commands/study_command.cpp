@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <filesystem>
+#include <algorithm>
 #include <memory>
 #include <thread>
 
@@ -10,6 +10,7 @@
 #include "engine/study/read_study.h"
 #include "engine/study/run_study.h"
 #include "engine/study/search_report.h"
+#include "engine/study/study_folder.h"
 #include "gui/commands/command.h"
 #include "gui/commands/interrupt.h"
 #include "gui/commands/options.h"
@@ -34,7 +35,7 @@ constexpr const char* kFooter =
   name = "fast"
   closing.duration = 5
 
-The folder gets study.csv (a row for each run) and study.json (everything, with the findings' rules). Points whose
+The folder, a new or empty one, gets study.csv (a row for each run) and study.json (everything, with the findings' rules). Points whose
 scenario is not valid are listed with the reason. Ctrl-C keeps the points that are done; --resume goes on.
 scenarios/studies/README.md describes the file.
 
@@ -88,11 +89,18 @@ void check_outputs(const StudyChoice& choice) {
   if (!choice.report.empty()) outputs.add("--report", choice.report, FileKind::markdown);
 }
 
+void require_valid_point(const StudyOutcome& outcome) {
+  const auto is_valid = [](const StudyRecord& record) { return !record["runs"].empty(); };
+  if (outcome.records.empty() || std::any_of(outcome.records.begin(), outcome.records.end(), is_valid)) return;
+  throw CommandError(ExitCode::bad_input,
+                     fmt::format("none of the {} points makes a valid scenario; the first: {}", outcome.points,
+                                 outcome.records.front()["refused"].get<std::string>()));
+}
+
 ExitCode run(const StudyChoice& choice, const std::string& command_line) {
   const Study study = load_study(choice.study);
   make_folder(choice.output);
-  std::error_code ignored;
-  if (!choice.resume && std::filesystem::exists(choice.output + "/points", ignored)) {
+  if (!choice.resume && holds_study(choice.output)) {
     throw CommandError(ExitCode::io, fmt::format("\"{}\" holds a study already; --resume goes on with it, or name "
                                                  "another folder",
                                                  choice.output));
@@ -111,6 +119,7 @@ ExitCode run(const StudyChoice& choice, const std::string& command_line) {
     return ExitCode::interrupted;
   }
   if (!choice.report.empty()) write_whole_file(choice.report, FileKind::markdown, study_report(study, outcome.records));
+  require_valid_point(outcome);
   return ExitCode::ok;
 }
 

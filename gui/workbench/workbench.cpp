@@ -1,6 +1,9 @@
 #include "gui/workbench/workbench.h"
 
+#include <fmt/format.h>
+
 #include <QApplication>
+#include <QScreen>
 #include <QTimer>
 #include <cstdlib>
 #include <memory>
@@ -40,23 +43,37 @@ class DisplayTrouble {
     if (type != QtFatalMsg) {
       current_->warnings_ << text;
     } else if (current_->no_display_) {
-      current_->no_display_(current_->reason().toStdString());
+      current_->no_display_(current_->reason(text).toStdString());
     }
   }
 
-  QString reason() const {
+  // `last`: what Qt says as it gives up.
+  QString reason(const QString& last) const {
     const QString start = QStringLiteral("the workbench cannot open a window: ");
+    const QString chosen = qEnvironmentVariable("QT_QPA_PLATFORM");
     for (const QString& warning : warnings_) {
-      if (warning.contains("could not connect to display")) {
-        return start + QString("the display \"%1\" cannot be reached; QT_QPA_PLATFORM=offscreen does without one")
-                           .arg(qEnvironmentVariable("DISPLAY"));
+      if (!chosen.isEmpty() && warning.contains("Could not find the Qt platform plugin")) {
+        return start +
+               QString("there is no Qt platform \"%1\"; unset QT_QPA_PLATFORM, or try xcb or offscreen").arg(chosen);
       }
-      if (warning.contains("Could not find the Qt platform plugin")) {
-        return start + QString("there is no Qt platform \"%1\"; unset QT_QPA_PLATFORM, or try xcb or offscreen")
-                           .arg(qEnvironmentVariable("QT_QPA_PLATFORM"));
+      if (!warning.contains("could not connect to display")) continue;
+      const QString display = qEnvironmentVariable("DISPLAY");
+      if (display.isEmpty() && chosen.isEmpty()) {
+        return start + QStringLiteral(
+                           "there is Wayland only, for which Qt's plugin is missing (Debian: qt6-wayland); "
+                           "QT_QPA_PLATFORM=offscreen does without a display");
       }
+      return start +
+             QString("the display \"%1\" cannot be reached; QT_QPA_PLATFORM=offscreen does without one").arg(display);
     }
-    return start + (warnings_.isEmpty() ? QStringLiteral("Qt finds no way to show one") : warnings_.last().trimmed());
+    // Its closing words tell nothing but that there was no way.
+    if (!last.contains("no Qt platform plugin could be initialized")) return start + last.simplified();
+    for (auto warning = warnings_.rbegin(); warning != warnings_.rend(); ++warning) {
+      if (!warning->contains("XDG_RUNTIME_DIR")) return start + warning->simplified();
+    }
+    return start + (chosen.isEmpty()
+                        ? QStringLiteral("Qt finds no way to show one")
+                        : QString("the Qt platform \"%1\" does not start here; try xcb or offscreen").arg(chosen));
   }
 
   inline static DisplayTrouble* current_ = nullptr;
@@ -64,6 +81,25 @@ class DisplayTrouble {
   QtMessageHandler previous_;
   QStringList warnings_;
 };
+
+// Throws NoDisplay where there is nothing that shows the window's colours.
+void check_screen() {
+  const QScreen* screen = QGuiApplication::primaryScreen();
+  const QString platform = QGuiApplication::platformName();
+  if (screen == nullptr || screen->size().isEmpty()) {
+    throw NoDisplay(
+        fmt::format("the workbench cannot open a window: the Qt platform \"{}\" has no screen here; "
+                    "QT_QPA_PLATFORM=offscreen does without one",
+                    platform.toStdString()));
+  }
+  constexpr int kFewestBits = 15;
+  if (screen->depth() < kFewestBits) {
+    throw NoDisplay(
+        fmt::format("the workbench cannot show its pictures: the display has {} bits for a pixel's colour, "
+                    "and {} are needed; QT_QPA_PLATFORM=offscreen does without a display",
+                    screen->depth(), kFewestBits));
+  }
+}
 
 // Saves the window once its first picture has been there for a moment.
 void take_screenshot(MainWindow& window, const QString& path) {
@@ -100,6 +136,7 @@ int run_workbench(const WorkbenchOptions& options) {
   char* argv[] = {name, nullptr};
   auto trouble = std::make_unique<DisplayTrouble>(options.no_display);
   QApplication application(argc, argv);
+  check_screen();
   trouble.reset();
   QApplication::setStyle(new WindowStyle);
   use_window_fonts();

@@ -20,8 +20,10 @@ FrameOptions checked(const FrameOptions& options) {
   }
   const int largest = kLargest / options.supersampling;
   if (std::min(options.width, options.height) < kSmallest || std::max(options.width, options.height) > largest) {
-    throw RenderError(fmt::format("a picture of {}x{} pixels cannot be drawn: each side must be from {} to {} pixels",
-                                  options.width, options.height, kSmallest, largest));
+    throw RenderError(fmt::format(
+        "a picture of {}x{} pixels with supersampling {} cannot be drawn: sides have {} pixels or more, and "
+        "{} or less when multiplied by the supersampling",
+        options.width, options.height, options.supersampling, kSmallest, kLargest));
   }
   return options;
 }

@@ -71,6 +71,13 @@ TEST(BadInput, Meshes) {
   expect_refusal({"check", own("bad.obj")}, 3, "\"bad.obj\" is not watertight: 3 of its edges");
 }
 
+TEST(BadInput, ARecordingIsNoScenario) {
+  const TestFolder folder;
+  const std::string recording = short_recording(folder);
+  expect_refusal({"check", recording}, 3, "is a recording, not a scenario: see netpocket info");
+  expect_refusal({"run", recording, "-o", folder.file("b.h5")}, 3, "is a recording, not a scenario");
+}
+
 TEST(BadInput, MissingFilesAndFolders) {
   const TestFolder folder;
   const std::string missing = folder.file("missing"), place = folder.file("");

@@ -11,8 +11,8 @@
 namespace netpocket {
 namespace {
 
-const std::vector<std::string> kCommands = {"run",    "check", "render",   "plot",    "report",
-                                            "export", "info",  "findings", "backends"};
+const std::vector<std::string> kCommands = {"run",  "check",    "render", "plot", "report",  "export",
+                                            "info", "findings", "study",  "mesh", "backends"};
 
 TEST(CommandLine, WithoutArgumentsShowsHelp) {
   unsetenv("QT_QPA_PLATFORM");  // with which the workbench would open
@@ -74,6 +74,14 @@ TEST(CommandLine, WrongUsageIsOneSentenceAndStatus2) {
       {{"run", "a.toml", "-o", "b.h5", "--until", "soon"}, R"(--until: "soon" is not a number above 0)"},
       {{"run", "a.toml", "-o", "b.h5", "--until", "nan"}, R"("nan" is not a number above 0)"},
       {{"run", "a.toml", "-o", "b.h5", "--until", "-1"}, R"("-1" is not a number above 0)"},
+      {{"run", "a.toml", "-o", "b.h5", "--until", "0.0005"}, "--until: must be >= 0.001 s, not 0.0005 s"},
+      {{"render", "a.h5", "-o", "b", "--size", "20000x100"}, "and 16384 or less when multiplied by --supersampling"},
+      {{"mesh"}, "MESH is required"},
+      {{"mesh", "a.obj", "--thickness", "0.1"}, "--thickness needs --mend, the file to write"},
+      {{"mesh", "a.obj", "--weld", "0.1"}, "--weld needs --mend, the file to write"},
+      {{"mesh", "a.obj", "--mend", "b.ply"}, "must end in .stl or .obj"},
+      {{"mesh", "a.obj", "--picture", "b.jpg"}, "ends with .png"},
+      {{"mesh", "a.obj", "--unit", "mile"}, "use m, cm, mm"},
       {{"run", "a.toml", "-o", "b.h5", "--threads", "0"}, "not a whole number from 1 to 256"},
       {{"render", "a.h5"}, "give --output, --sheet, --video, --gltf or --save-view"},
       {{"render", "a.h5", "-o", "b", "--camera", "isso"}, R"(--camera: unknown name "isso"; did you mean "iso"?)"},

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -55,6 +56,38 @@ TEST(Study, DoesNotMixStudiesUnlessToldToResume) {
   const auto resumed = run_program({"study", study, "-o", folder.file("out"), "--resume", "--quiet"});
   EXPECT_EQ(resumed.exit_code, 0) << resumed.error;
   EXPECT_EQ(resumed.out + resumed.error, "");
+}
+
+TEST(Study, FilesOfOthersStay) {
+  const TestFolder folder;
+  const std::string study = write_study(folder, 0.02, "");
+  std::filesystem::create_directory(folder.file("runs"));
+  folder.write("runs/mine.h5", "years of work");
+  const auto result = run_program({"study", study, "-o", folder.file("")});
+  EXPECT_EQ(result.exit_code, 5);
+  EXPECT_TRUE(contains(result.error, "holds something that is not of a study")) << result.error;
+  EXPECT_EQ(content(folder.file("runs/mine.h5")), "years of work");
+}
+
+TEST(Study, OneAtATimeInAFolder) {
+  const TestFolder folder;
+  const std::string study = write_study(folder, 19000, "");  // hours
+  RunningProgram first({"study", study, "-o", folder.file("out"), "--jobs", "1", "--quiet"});
+  while (!std::filesystem::exists(folder.file("out/runs"))) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  const auto second = run_program({"study", study, "-o", folder.file("out"), "--resume"});
+  EXPECT_EQ(second.exit_code, 5);
+  EXPECT_TRUE(contains(second.error, "another program is running a study in")) << second.error;
+  first.signal(SIGINT);
+  EXPECT_EQ(first.wait().exit_code, 130);
+}
+
+TEST(Study, WithoutAValidPointIsBadInput) {
+  const TestFolder folder;
+  const std::string study = write_study(folder, 0.02, "[vary]\ntarget.radius = [8.0, 9.0]\n");
+  const auto result = run_program({"study", study, "-o", folder.file("out"), "--quiet"});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_TRUE(contains(result.error, "none of the 2 points makes a valid scenario; the first: ")) << result.error;
+  EXPECT_EQ(std::count(result.error.begin(), result.error.end(), '\n'), 1) << result.error;
 }
 
 TEST(Study, SaysWhereTheFileIsWrong) {

@@ -12,7 +12,8 @@ namespace {
 
 // The name of the platform's OpenGL renderer; empty when windows cannot have OpenGL 3.2.
 QString opengl_renderer() {
-  if (QGuiApplication::platformName() == "offscreen" || QGuiApplication::platformName() == "minimal") return {};
+  const QString platform = QGuiApplication::platformName();
+  if (platform != "xcb" && !platform.startsWith("wayland")) return {};
   QOffscreenSurface surface;
   surface.create();
   QOpenGLContext context;

@@ -42,7 +42,10 @@ TEST(FileKind, ContentIsReplacedByItsLike) {
                                                   {FileKind::markdown, "# Findings\n"},
                                                   {FileKind::json, "{\"a\": 1}"},
                                                   {FileKind::gltf, "glTF\2"},
-                                                  {FileKind::pdf, "%PDF-1.5"}};
+                                                  {FileKind::pdf, "%PDF-1.5"},
+                                                  {FileKind::stl, "solid cube\nfacet normal 0 0 1\n"},
+                                                  {FileKind::stl, "netpocket" + std::string(71, ' ') + "\1"},
+                                                  {FileKind::obj, "# cube\nv 0 0 0\nf 1 2 3\n"}};
   for (const auto& [kind, content] : own) {
     EXPECT_TRUE(may_replace(kind, content)) << description(kind);
     EXPECT_TRUE(may_replace(kind, "")) << description(kind);
@@ -53,7 +56,8 @@ TEST(FileKind, ContentIsReplacedByItsLike) {
       }
     }
   }
-  for (const FileKind kind : {FileKind::view, FileKind::markdown, FileKind::log, FileKind::html, FileKind::svg}) {
+  for (const FileKind kind : {FileKind::view, FileKind::markdown, FileKind::log, FileKind::html, FileKind::svg,
+                              FileKind::stl, FileKind::obj}) {
     EXPECT_FALSE(may_replace(kind, notes)) << description(kind);
   }
   EXPECT_FALSE(may_replace(FileKind::view, "focal_point = 1\n[net]\n"));
