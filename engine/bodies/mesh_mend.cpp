@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <utility>
 
 #include "engine/bodies/mesh_doubles.h"
@@ -13,6 +14,23 @@
 
 namespace netpocket {
 namespace {
+
+// By triangle: whether it faces against the first one of its part, of parts that lie in a plane. The sides of a panel
+// may be divided into triangles in different ways.
+std::vector<bool> backs_of_planes(const MeshData& mesh, const MeshReview& review) {
+  constexpr double kParallel = 1 - 1e-9;  // of the cosine
+  std::vector<Eigen::Vector3d> normals(review.parts.size(), Eigen::Vector3d::Zero());
+  std::vector<bool> is_plane(review.parts.size(), true), backs(mesh.triangles.size());
+  for (std::size_t t = 0; t < backs.size(); ++t) {
+    const Eigen::Vector3d normal = area_vector(mesh, mesh.triangles[t]).normalized();
+    Eigen::Vector3d& first = normals[review.part_of[t]];
+    if (first.isZero()) first = normal;
+    backs[t] = first.dot(normal) < 0;
+    if (std::abs(first.dot(normal)) < kParallel) is_plane[review.part_of[t]] = false;
+  }
+  for (std::size_t t = 0; t < backs.size(); ++t) backs[t] = backs[t] && is_plane[review.part_of[t]];
+  return backs;
+}
 
 class Mender {
  public:
@@ -39,7 +57,7 @@ class Mender {
     const double tolerance = options_.weld_tolerance > 0 ? options_.weld_tolerance : kWeldTolerance * mesh_extent(data);
     WeldedMesh welded = weld(data, tolerance);
     mesh() = std::move(welded.mesh);
-    note(welded.joined, "corner", fmt::format("joined with others within {:.3g} m", tolerance));
+    note(welded.joined, "corner", fmt::format("joined with others within {:.3g} m", tolerance * options_.unit));
     note(welded.shrunk, "triangle", "left out, being a line or a point");
   }
 
@@ -61,15 +79,16 @@ class Mender {
     const MeshReview review = review_mesh(mesh());
     if (review.part_of.size() != mesh().triangles.size()) return;
     std::vector<bool> dropped(mesh().triangles.size());
+    const std::vector<bool> behind = backs_of_planes(mesh(), review);
     std::size_t closed = 0, panels = 0;
     for (std::size_t t = 0; t < dropped.size(); ++t) {
       const MeshPart& part = review.parts[review.part_of[t]];
-      if (!part.closed || !part.two_sided) continue;
+      if (!part.closed || !(part.two_sided || part.flat)) continue;
       if (!part.flat) {
         dropped[t] = part.volume < 0;
         closed += dropped[t] ? 1 : 0;
       } else if (options_.thickness > 0) {
-        dropped[t] = review.back_of[t] < static_cast<std::int32_t>(t);
+        dropped[t] = part.two_sided ? review.back_of[t] < static_cast<std::int32_t>(t) : behind[t];
         panels += dropped[t] ? 1 : 0;
       }
     }
@@ -87,7 +106,7 @@ class Mender {
   void thicken() {
     if (!(options_.thickness > 0)) return;
     const std::size_t parts = thicken_open_parts(mesh(), options_.thickness);
-    note(parts, "open surface", fmt::format("given a thickness of {:g} m", options_.thickness));
+    note(parts, "open surface", fmt::format("given a thickness of {:g} m", options_.thickness * options_.unit));
     if (parts > 0) wind();
   }
 

@@ -10,8 +10,10 @@
 namespace netpocket {
 
 struct MendOptions {
-  double weld_tolerance = 0;  // m: corners that are this near are joined; 0: kWeldTolerance of the extent
-  double thickness = 0;       // m, that open surfaces and panels without thickness get; 0: they stay as they are
+  // In the mesh's unit.
+  double weld_tolerance = 0;  // corners that are this near are joined; 0: kWeldTolerance of the extent
+  double thickness = 0;       // that open surfaces and panels without thickness get; 0: they stay as they are
+  double unit = 1;            // m: the changes tell of lengths in metres
 };
 
 struct MendedMesh {

@@ -100,7 +100,7 @@ std::string file_name(const std::string& path) { return std::filesystem::path(pa
 
 // The mended copy, as reviewed in metres.
 MeshReview mend(const MeshChoice& choice, const MeshData& data, double unit) {
-  const MendedMesh mended = mend_mesh(data, {choice.weld / unit, choice.thickness / unit});
+  const MendedMesh mended = mend_mesh(data, {choice.weld / unit, choice.thickness / unit, unit});
   for (const std::string& change : mended.changes) print(report_line("mended", change));
   if (mended.changes.empty()) print(report_line("mended", "nothing"));
   const FileKind kind = mended_kind(choice);

@@ -74,7 +74,7 @@ TEST(CommandLine, WrongUsageIsOneSentenceAndStatus2) {
       {{"run", "a.toml", "-o", "b.h5", "--until", "soon"}, R"(--until: "soon" is not a number above 0)"},
       {{"run", "a.toml", "-o", "b.h5", "--until", "nan"}, R"("nan" is not a number above 0)"},
       {{"run", "a.toml", "-o", "b.h5", "--until", "-1"}, R"("-1" is not a number above 0)"},
-      {{"run", "a.toml", "-o", "b.h5", "--until", "0.0005"}, "--until: must be >= 0.001 s, not 0.0005 s"},
+      {{"run", "a.toml", "-o", "b.h5", "--until", "0.0005"}, "--until: must be >= 0.001 and <= 100000 s, not 0.0005"},
       {{"render", "a.h5", "-o", "b", "--size", "20000x100"}, "and 16384 or less when multiplied by --supersampling"},
       {{"mesh"}, "MESH is required"},
       {{"mesh", "a.obj", "--thickness", "0.1"}, "--thickness needs --mend, the file to write"},

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 
 #include "tests/engine/bodies/mesh_samples.h"
@@ -84,6 +85,22 @@ TEST(MeshCommand, GivesOpenSurfacesAThickness) {
   EXPECT_EQ(result.exit_code, 0) << result.error;
   EXPECT_TRUE(contains(result.out, "\nmended         1 open surface given a thickness of 0.05 m\n")) << result.out;
   EXPECT_TRUE(contains(result.out, "\nvolume         0.1 m^3\n")) << result.out;
+}
+
+// Both sides of the panel are there, cut along one diagonal each.
+TEST(MeshCommand, GivesPanelsAThickness) {
+  const TestFolder folder;
+  MeshData panel;
+  panel.vertices = {{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}};
+  for (const std::array<Triangle, 2>& back :
+       {std::array<Triangle, 2>{{{0, 2, 1}, {0, 3, 2}}}, {{{1, 0, 3}, {1, 3, 2}}}}) {
+    panel.triangles = {{0, 1, 2}, {0, 2, 3}, back[0], back[1]};
+    const auto result = run_program(
+        {"mesh", write_obj(folder, panel), "--unit", "m", "--mend", folder.file("plate.obj"), "--thickness", "0.05"});
+    EXPECT_EQ(result.exit_code, 0) << result.error;
+    EXPECT_TRUE(contains(result.out, "2 triangles left out, being the back of another")) << result.out;
+    EXPECT_TRUE(contains(result.out, "\nvolume         0.1 m^3\n")) << result.out;
+  }
 }
 
 TEST(MeshCommand, WhatCannotBeMendedIsSaid) {
