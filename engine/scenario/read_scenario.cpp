@@ -11,6 +11,7 @@
 #include <functional>
 #include <variant>
 
+#include "engine/files/file_kind.h"
 #include "engine/scenario/parameter_text.h"
 #include "engine/scenario/toml_depth.h"
 #include "engine/scenario/toml_value.h"
@@ -140,6 +141,10 @@ std::variant<std::string, Diagnostic> load(const std::string& path) {
   if (file.bad()) return problem("cannot be read: input error");
   if (text.starts_with("\x89HDF\r\n")) {
     return problem("is a recording, not a scenario: see netpocket info, render, plot, report, or run --resume");
+  }
+  const auto start = std::string_view(text).substr(0, std::min<std::size_t>(file.gcount(), kContentBytes));
+  if (const auto other = marked_description(start); !other.empty()) {
+    return problem(fmt::format("is {}, not a scenario", other));
   }
   if (file.gcount() > static_cast<std::streamsize>(kLargestScenarioFile)) {
     return problem(fmt::format("is larger than {} bytes, the limit for a scenario", kLargestScenarioFile));

@@ -13,6 +13,7 @@
 #include <set>
 #include <sstream>
 
+#include "engine/files/file_kind.h"
 #include "engine/scenario/parameter_text.h"
 #include "engine/scenario/parameters.h"
 #include "engine/scenario/read_scenario.h"
@@ -60,6 +61,10 @@ class StudyReader {
 
   StudyResult read(const toml::table& file) {
     study_.name = study_.file = std::filesystem::path(path_).stem().string();
+    if (is_scenario(file)) {
+      add({.file = path_, .message = "is a scenario, not a study; a study names a scenario as its base"});
+      return result();
+    }
     check_names(file, {"name", "description", "base", "sampling", "samples", "seed", "keep_recordings", "report", "set",
                        "vary", "point", "variant", "ensemble", "remarks"});
     read_text(file, "name", study_.name);
@@ -85,6 +90,12 @@ class StudyReader {
   }
 
  private:
+  static bool is_scenario(const toml::table& file) {
+    const auto found = entries(file);
+    return !file.contains("base") && std::any_of(found.begin(), found.end(),
+                                                 [](const Entry& e) { return find_parameter_group(e.key) != nullptr; });
+  }
+
   StudyResult result() { return {std::move(study_), std::move(found_)}; }
 
   void report(int line, const std::string& key, const std::string& message) {
@@ -379,6 +390,9 @@ StudyResult read_study_file(const std::string& path) {
   std::string text(kLargestStudyFile + 1, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(file.gcount()));
+  if (const auto other = marked_description(std::string_view(text).substr(0, kContentBytes)); !other.empty()) {
+    return failure({.file = path, .message = fmt::format("is {}, not a study", other)});
+  }
   if (text.size() > kLargestStudyFile) {
     return failure({.file = path, .message = fmt::format("is larger than {} bytes", kLargestStudyFile)});
   }

@@ -78,6 +78,21 @@ TEST(BadInput, ARecordingIsNoScenario) {
   expect_refusal({"run", recording, "-o", folder.file("b.h5")}, 3, "is a recording, not a scenario");
 }
 
+TEST(BadInput, FilesOfOtherKindsAreCalledWhatTheyAre) {
+  const TestFolder folder;
+  const std::string recording = short_recording(folder), output = folder.file("out");
+  const std::pair<std::string, std::string> files[] = {
+      {folder.write("a.png", "\x89PNG\r\n\x1a\n...."), "is a PNG picture, not a "},
+      {folder.write("cube.obj", "v 0 0 0\nv 1 0 0\n"), "is an OBJ mesh, not a "},
+      {folder.write("page.html", "<!doctype html>\n"), "is an HTML page, not a "}};
+  for (const auto& [path, sentence] : files) {
+    expect_refusal({"check", path}, 3, sentence + "scenario");
+    expect_refusal({"study", path, "-o", output}, 3, sentence + "study");
+  }
+  expect_refusal({"study", recording, "-o", output}, 3, "is an HDF5 file, such as a recording, not a study");
+  expect_refusal({"study", scenario_file("case1.toml"), "-o", output}, 3, "is a scenario, not a study");
+}
+
 TEST(BadInput, MissingFilesAndFolders) {
   const TestFolder folder;
   const std::string missing = folder.file("missing"), place = folder.file("");

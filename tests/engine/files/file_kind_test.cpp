@@ -45,6 +45,7 @@ TEST(FileKind, ContentIsReplacedByItsLike) {
                                                   {FileKind::pdf, "%PDF-1.5"},
                                                   {FileKind::stl, "solid cube\nfacet normal 0 0 1\n"},
                                                   {FileKind::stl, "netpocket" + std::string(71, ' ') + "\1"},
+                                                  {FileKind::findings, "F1   The contact force\n"},
                                                   {FileKind::obj, "# cube\nv 0 0 0\nf 1 2 3\n"}};
   for (const auto& [kind, content] : own) {
     EXPECT_TRUE(may_replace(kind, content)) << description(kind);
@@ -59,6 +60,12 @@ TEST(FileKind, ContentIsReplacedByItsLike) {
   for (const FileKind kind : {FileKind::view, FileKind::markdown, FileKind::log, FileKind::html, FileKind::svg,
                               FileKind::stl, FileKind::obj}) {
     EXPECT_FALSE(may_replace(kind, notes)) << description(kind);
+  }
+  for (const char* toml : {"# mine\n\nname = \"mine\"\n", "[net]\ndiameter = 1\n", "# only words\n"}) {
+    EXPECT_TRUE(may_replace(FileKind::scenario, toml)) << toml;
+  }
+  for (const std::string& other : {notes, view, page, svg, hdf5, std::string("# Findings\n\nThe text.\n")}) {
+    EXPECT_FALSE(may_replace(FileKind::scenario, other)) << other;
   }
   EXPECT_FALSE(may_replace(FileKind::view, "focal_point = 1\n[net]\n"));
   EXPECT_FALSE(may_replace(FileKind::svg, vtk));
