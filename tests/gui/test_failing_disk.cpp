@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <random>
 #include <thread>
 
 #include "engine/recording/recording.h"
 #include "tests/gui/output_commands.h"
+#include "tests/hardening/hardening_table.h"
 
 namespace netpocket {
 namespace {
@@ -153,6 +155,42 @@ TEST_F(FailingDisk, AFileWithoutPermissionIsNotDamaged) {
     expect_sentence(result, 5, {recording_, "Permission denied"});
     EXPECT_FALSE(contains(result.error, "damaged"));
   }
+}
+
+// Wherever the disk becomes full: the file that stood there, or the whole new one.
+TEST_F(FailingDisk, HardeningAtARandomByte) {
+  const std::string png = folder_.file("a.png"), glb = folder_.file("a.glb"), html = folder_.file("a.html"),
+                    csv = folder_.file("csv"), svg = folder_.file("svg");
+  const std::vector<std::pair<Words, std::string>> outputs = {{sheet(png), png},
+                                                              {gltf(glb), glb},
+                                                              {report(html), html},
+                                                              {table(csv), csv + "/channels.csv"},
+                                                              {figures(svg), svg + "/figure03_closing.svg"}};
+  for (const auto& [command, path] : outputs) ASSERT_EQ(run_program(command).exit_code, 0) << path;
+  const std::vector<std::string> before = names();
+  std::mt19937 random(7);
+  const int trials = test::trial_count(3, 500);
+  int full = 0;
+  for (int trial = 0; trial < trials; ++trial) {
+    const auto& [command, path] = outputs[random() % outputs.size()];
+    const std::string old = content(path);
+    const std::size_t limit = 1 + random() % (old.size() + old.size() / 4);
+    const auto result = run_program(command, {.largest_file = limit});
+    if (result.exit_code == 0) {
+      EXPECT_EQ(content(path).size(), old.size()) << path;
+      continue;
+    }
+    ++full;
+    if (result.error.size() < limit) expect_sentence(result, 5, {"cannot write \"" + path + "\": ", "File too large"});
+    EXPECT_EQ(content(path), old) << path << " at byte " << limit;
+  }
+  EXPECT_EQ(names(), before);
+  if (HasFailure()) return;
+  EXPECT_TRUE(
+      test::record_hardening({"picture, scene, report, table or figure on a disk that becomes full at a random byte",
+                              std::to_string(trials) + " outputs",
+                              std::to_string(full) + " said so in one sentence and left the older file as it "
+                                                     "was, the others were whole; nothing half-written stayed"}));
 }
 
 class MeddledRun : public testing::Test {
