@@ -18,7 +18,7 @@
 namespace netpocket {
 namespace {
 
-constexpr const char* kHelp = R"(--csv writes channels.csv: one row for each recorded frame.
+constexpr const char* kExportHelp = R"(--csv writes channels.csv: one row for each recorded frame.
 --vtp writes netpocket.pvd, for ParaView: cords and rods with tension, strain and velocity, and the bodies.
 
 Examples:
@@ -86,7 +86,8 @@ Action declare_export(CLI::App& app) {
   app.add_option("--csv", choice->csv, "folder for channels.csv")->type_name("DIR");
   app.add_option("--vtp", choice->vtp, "folder for a series that ParaView opens")->type_name("DIR");
   app.add_flag("--quiet", choice->quiet, "no progress");
-  app.footer(kHelp + exit_code_help({ExitCode::bad_input, ExitCode::io, ExitCode::rendering, ExitCode::interrupted}));
+  app.footer(kExportHelp +
+             exit_code_help({ExitCode::bad_input, ExitCode::io, ExitCode::rendering, ExitCode::interrupted}));
   return [choice](const std::string&) { return export_recording(*choice); };
 }
 

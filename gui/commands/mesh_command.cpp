@@ -21,7 +21,7 @@
 namespace netpocket {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kMeshFooter =
     R"(Tells whether an STL or OBJ file can be a target (shape = "mesh"), and what hinders it: open edges, triangles that
 face the wrong way or are there twice, parts that enclose no volume, go through each other or lie in each other, each with
 places. The picture shows them in red, and the back of triangles in orange.
@@ -163,7 +163,7 @@ Action declare_mesh(CLI::App& app) {
       ->type_name("T")
       ->check(positive_number());
   add_choice(app, "--backend", choice->backend, "how to draw", {"auto", "osmesa", "egl"});
-  app.footer(kFooter + exit_code_help({ExitCode::bad_input, ExitCode::io, ExitCode::rendering}));
+  app.footer(kMeshFooter + exit_code_help({ExitCode::bad_input, ExitCode::io, ExitCode::rendering}));
   return [choice](const std::string&) { return run(*choice); };
 }
 

@@ -25,7 +25,7 @@
 namespace netpocket {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kRenderExamples =
     R"(Needs no display. Without --times, --fps or --every: 25 pictures a second, and six panels on a sheet. Several
 recordings are drawn next to each other at equal times. A view file holds position, focal_point (m), and view_angle
 (degrees) or half_height (m); --save-view writes one to start from.
@@ -339,7 +339,7 @@ Action declare_render(CLI::App& app) {
   add_extras(app, *choice);
   app.add_flag("--resume", choice->resume, "keep the pictures in the folder that would come out the same");
   app.add_flag("--quiet", choice->quiet, "no progress");
-  app.footer(kExamples +
+  app.footer(kRenderExamples +
              exit_code_help({ExitCode::bad_input, ExitCode::io, ExitCode::rendering, ExitCode::interrupted}));
   return [choice](const std::string&) { return render(*choice); };
 }

@@ -16,7 +16,7 @@
 namespace netpocket {
 namespace {
 
-constexpr const char* kHelp =
+constexpr const char* kReportHelp =
     R"(One HTML file that opens without a network: results, the capture as a sheet and a video, the paper's findings and
 figures, and the scenarios. Several recordings stand next to each other.
 
@@ -70,7 +70,8 @@ Action declare_report(CLI::App& app) {
   app.add_flag("--no-video", choice->no_video, "leave the video out; then ffmpeg is not needed");
   add_choice(app, "--backend", choice->backend, "OpenGL without a display", {"auto", "osmesa", "egl"});
   app.add_flag("--quiet", choice->quiet, "no progress");
-  app.footer(kHelp + exit_code_help({ExitCode::bad_input, ExitCode::io, ExitCode::rendering, ExitCode::interrupted}));
+  app.footer(kReportHelp +
+             exit_code_help({ExitCode::bad_input, ExitCode::io, ExitCode::rendering, ExitCode::interrupted}));
   return [choice](const std::string&) { return report(*choice); };
 }
 

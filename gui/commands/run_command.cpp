@@ -19,7 +19,7 @@
 namespace netpocket {
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kRunExamples = R"(Examples:
   netpocket run scenarios/case1.toml -o case1.h5
   netpocket run scenarios/case1.toml -o fast.h5 --set closing.duration=5 --until 15
   netpocket run --resume case1.h5
@@ -239,7 +239,7 @@ Action declare_run(CLI::App& app) {
       ->capture_default_str();
   app.add_flag("--overwrite", choice->overwrite, "replace an existing recording");
   app.add_flag("--quiet", choice->quiet, "no progress and no summary");
-  app.footer(kExamples +
+  app.footer(kRunExamples +
              exit_code_help({ExitCode::bad_input, ExitCode::diverged, ExitCode::io, ExitCode::interrupted}));
   return [choice](const std::string& command_line) {
     if (!choice->resumed.empty()) return resume(*choice, command_line);

@@ -21,7 +21,7 @@
 namespace netpocket {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kStudyFooter =
     R"(A study names a base scenario, keys with lists or ranges, and variants to run at each point, for example:
 
   base = "../case1.toml"
@@ -137,7 +137,7 @@ Action declare_study(CLI::App& app) {
   app.add_flag("--resume", choice->resume, "go on with a study in the same folder: only what is missing is run");
   app.add_option("--report", choice->report, "also write what was found as a report (Markdown)")->type_name("FILE.md");
   app.add_flag("--quiet", choice->quiet, "no progress and no last line");
-  app.footer(kFooter + exit_code_help({ExitCode::bad_input, ExitCode::io, ExitCode::interrupted}));
+  app.footer(kStudyFooter + exit_code_help({ExitCode::bad_input, ExitCode::io, ExitCode::interrupted}));
   return [choice](const std::string& command_line) { return run(*choice, command_line); };
 }
 
