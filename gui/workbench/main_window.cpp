@@ -13,6 +13,7 @@
 #include <QUrl>
 #include <algorithm>
 
+#include "engine/files/file_kind.h"
 #include "gui/workbench/dialogs/preferences_dialog.h"
 #include "gui/workbench/editor/edit_command.h"
 #include "gui/workbench/editor/scenario_editor.h"
@@ -43,18 +44,20 @@ constexpr const char* kLayoutKey = "window/layout";
 
 bool is_recording(const QString& path) {
   const QString suffix = QFileInfo(path).suffix().toLower();
-  return suffix == "h5" || suffix == "hdf5" || suffix == "part";
+  return suffix == "h5" || suffix == "hdf5" || suffix == "part" || is_recording_file(path.toStdString());
 }
 
-// Any number of recordings, and one scenario.
+// Any number of recordings, and one scenario. What is neither is opened, too: to be told what is wrong with it.
 QStringList files_to_open(const QMimeData& data) {
-  QStringList recordings, scenarios;
+  QStringList recordings, others;
   for (const QUrl& url : data.urls()) {
     const QString path = url.toLocalFile();
-    if (is_recording(path)) recordings << path;
-    if (QFileInfo(path).suffix().toLower() == "toml") scenarios << path;
+    if (path.isEmpty()) continue;
+    (is_recording(path) ? recordings : others) << path;
   }
-  return recordings + scenarios.mid(0, 1);
+  const auto is_scenario = [](const QString& path) { return QFileInfo(path).suffix().toLower() == "toml"; };
+  std::ranges::stable_partition(others, is_scenario);
+  return recordings + others.mid(0, 1);
 }
 
 std::unique_ptr<QSettings> make_settings(const QString& file) {
@@ -206,7 +209,8 @@ QString MainWindow::notice() const { return notice_->isHidden() ? QString() : no
 
 void MainWindow::show_notice(const QString& text) {
   scenario_notice_ = false;
-  notice_->show_text(text);
+  // The libraries' sentences go on after "netpocket: ", here they begin.
+  notice_->show_text(text.startsWith("cannot ") ? "C" + text.mid(1) : text);
 }
 
 void MainWindow::show_scenario_notice(const QString& text) {

@@ -2,8 +2,9 @@
 
 #include <QFile>
 #include <QFileInfo>
-#include <QSaveFile>
 
+#include "engine/files/output_list.h"
+#include "engine/files/whole_file.h"
 #include "engine/scenario/check_scenario.h"
 #include "engine/scenario/parameter_text.h"
 #include "engine/scenario/read_scenario.h"
@@ -165,10 +166,12 @@ std::optional<QString> ScenarioDocument::save() {
 }
 
 std::optional<QString> ScenarioDocument::save_as(const QString& path) {
-  QSaveFile file(path);
-  const QByteArray bytes = QByteArray::fromStdString(state_->text);
-  const bool written = file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit();
-  if (!written) return tr("Cannot write '%1': %2").arg(path, file.errorString());
+  try {
+    OutputList().add("scenario", path.toStdString(), FileKind::scenario);
+    write_whole_file(path.toStdString(), FileKind::scenario, state_->text);
+  } catch (const FileError& error) {
+    return QString::fromStdString(error.what());
+  }
   const bool was_modified = is_modified();
   recovered_ = false;
   recovery_.remove();

@@ -4,7 +4,6 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
-#include <QSaveFile>
 #include <QScrollBar>
 #include <QTableWidget>
 #include <QToolButton>
@@ -12,6 +11,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "engine/files/output_list.h"
+#include "engine/files/whole_file.h"
 #include "engine/recording/report.h"
 #include "gui/workbench/panels/ask_for_file.h"
 #include "gui/workbench/panels/icons.h"
@@ -213,11 +214,14 @@ void FindingsPanel::fit_rows() {
 std::optional<QString> FindingsPanel::export_findings(const QString& path) const {
   const bool json = path.endsWith(".json", Qt::CaseInsensitive);
   const std::string bytes = json ? findings_json(findings_).dump(2) + "\n" : findings_text(findings_);
-  QSaveFile file(path);
-  const bool written =
-      file.open(QIODevice::WriteOnly) && file.write(QByteArray::fromStdString(bytes)) >= 0 && file.commit();
-  if (written) return std::nullopt;
-  return tr("Cannot write '%1': %2").arg(path, file.errorString());
+  const FileKind kind = json ? FileKind::json : FileKind::findings;
+  try {
+    OutputList().add("findings", path.toStdString(), kind);
+    write_whole_file(path.toStdString(), kind, bytes);
+  } catch (const FileError& error) {
+    return QString::fromStdString(error.what());
+  }
+  return std::nullopt;
 }
 
 void FindingsPanel::ask_for_export() {

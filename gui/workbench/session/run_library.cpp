@@ -1,12 +1,31 @@
 #include "gui/workbench/session/run_library.h"
 
+#include <sys/stat.h>
+
 #include <QFile>
 #include <QFileInfo>
 #include <QUuid>
 
 #include "engine/dynamics/recorded_scenario.h"
+#include "engine/files/output_list.h"
 
 namespace netpocket {
+namespace {
+
+// The name of another run whose recording stands there; empty: none does.
+QString other_run_in(const RunLibrary& runs, const QString& path, RunId id) {
+  struct stat wanted = {};
+  if (stat(QFile::encodeName(path).constData(), &wanted) != 0) return {};
+  for (const RunId other : runs.ids()) {
+    const Run& run = *runs.find(other);
+    struct stat held = {};
+    if (other == id || !run.file || stat(run.file->path().c_str(), &held) != 0) continue;
+    if (is_same_file(wanted, held)) return run.name;
+  }
+  return {};
+}
+
+}  // namespace
 
 RunLibrary::RunLibrary(RunOptions origin, std::size_t cache_bytes, const QString& folder)
     : origin_(std::move(origin)), folder_(folder), cache_(cache_bytes) {
@@ -330,8 +349,14 @@ void RunLibrary::load(RunId id, std::size_t index) {
 void RunLibrary::save(RunId id, const QString& path) {
   const Run* run = find(id);
   if (run == nullptr) return;
+  if (const QString other = other_run_in(*this, path, id); !other.isEmpty()) {
+    emit failed(
+        tr("\"%1\" is the recording of the run \"%2\" in this window: save under another name.").arg(path, other));
+    return;
+  }
   storage_.post([this, id, file = run->file, count = run->frame_count(), path] {
     try {
+      OutputList().add("recording", path.toStdString(), FileKind::recording);
       file->save_as(path.toStdString());
       later([this, id, count, path] {
         if (Run* saved_run = get(id)) saved_run->saved_frames = std::max(saved_run->saved_frames, count);
