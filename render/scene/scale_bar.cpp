@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -35,7 +36,8 @@ void ScaleBar::adapt(const View& view) {
   const double pixel = pixel_length(view);
   const double length = round_down(170 * unit * pixel);
   const double right = view.width - 34 * unit, left = right - length / pixel, y = 36 * unit;
-  const double width = 2.0 * unit, serif = 5 * unit;
+  const double width = std::max(2 * unit, 1.0);  // a thinner line can fall between the centres of pixels
+  const double serif = 5 * unit;
   bar_.clear();
   bar_.add_line({left, y}, {right, y}, width, color_);
   for (const double x : {left + width / 2, right - width / 2}) {

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "render/output/frame_renderer.h"
@@ -131,6 +132,25 @@ TEST_F(FrameRendererTest, FastSmoothingSoftensEdgesOnly) {
   const auto smooth = render(options, open_);
   EXPECT_GT(pictures::differing_fraction(jagged, smooth, 4), 0.01);
   EXPECT_LT(pictures::differing_fraction(jagged, smooth, 64), 0.08);
+}
+
+// A line thinner than a pixel can fall between the centres of pixels.
+TEST_F(FrameRendererTest, TheScaleBarOfASmallPictureIsWhole) {
+  auto options = small();
+  options.supersampling = 1;
+  for (const int height : {200, 230, 270, 320, 350}) {
+    options.height = height;
+    const auto image = render(options, open_);
+    const double unit = height / 720.0;
+    const int right = image.width - static_cast<int>(40 * unit), left = right - static_cast<int>(40 * unit);
+    const int middle = height - static_cast<int>(36 * unit);
+    for (int x = left; x < right; ++x) {
+      int darkest = 255;
+      for (int y = middle - 2; y <= middle + 2; ++y)
+        darkest = std::min<int>(darkest, image.rgb[3 * (y * image.width + x)]);
+      EXPECT_LT(darkest, 128) << height << " pixels high, at " << x;
+    }
+  }
 }
 
 TEST_F(FrameRendererTest, RefusesImpossibleSizes) {
