@@ -399,14 +399,12 @@ BodyContactSum CableSystem::body_contacts() const {
 CordContactSum CableSystem::cord_contacts() const {
   if (!impl_->cord_contacts) return {};
   return {impl_->cord_contacts->count(), impl_->cord_contacts->total_normal_force(),
-          impl_->cord_contacts->deepest_overlap()};
+          impl_->cord_contacts->deepest_part().part};
 }
 double CableSystem::penetration() const { return impl_->contacts.deepest_penetration(); }
-std::int64_t CableSystem::stopped_blows() const { return impl_->stopped_blows; }
-std::int64_t CableSystem::unresolved_contacts() const { return impl_->unresolved_contacts; }
-std::int64_t CableSystem::parted_overlaps() const {
-  return impl_->cord_contacts ? impl_->cord_contacts->partings() : 0;
-}
+double CableSystem::contact_step() const { return impl_->reference_step; }
+void CableSystem::note_shortened_step() { ++impl_->safeguards.shortened_steps; }
+const SafeguardCounts& CableSystem::safeguards() const { return impl_->safeguards; }
 std::string CableSystem::deepest_contact() const {
   const auto contact = impl_->contacts.deepest_contact();
   if (!contact) return "";
@@ -415,7 +413,7 @@ std::string CableSystem::deepest_contact() const {
                      model.threads[model.elements[contact->element].thread], contact->element, contact->penetration,
                      model.bodies[contact->body].name);
 }
-double CableSystem::take_deepest_penetration() { return std::exchange(impl_->deepest_penetration, 0.0); }
+ContactDepths CableSystem::take_deepest_contacts() { return std::exchange(impl_->depths, {}); }
 
 void CableSystem::visit_state(const std::function<void(double&)>& visit) {
   Impl& s = *impl_;
@@ -454,9 +452,12 @@ void CableSystem::visit_state(const std::function<void(double&)>& visit) {
   double reference_step = s.reference_step;
   for (double* value :
        {&s.time, &s.last_dt, &steps, &s.input_work, &s.spent.in_cords, &s.spent.at_hinges, &s.spent.in_contacts,
-        &s.spent.by_friction, &s.initial_energy, &s.initial_input, &s.deepest_penetration, &reference_step}) {
+        &s.spent.by_friction, &s.initial_energy, &s.initial_input, &s.depths.penetration, &reference_step}) {
     visit_number(*value);
   }
+  s.depths.pressed.visit_state(visit);
+  s.depths.overlapping.visit_state(visit);
+  s.safeguards.visit_state(visit);
   if (reference_step != s.reference_step) s.set_reference_step(reference_step);
   if (s.body_contacts) {
     for (Eigen::Vector3d& impulse : s.body_impulses) visit_vector(impulse);

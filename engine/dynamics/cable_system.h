@@ -15,7 +15,9 @@
 #include <span>
 #include <string>
 
+#include "engine/dynamics/contact_depth.h"
 #include "engine/dynamics/dynamic_body.h"
+#include "engine/dynamics/safeguards.h"
 #include "engine/dynamics/stable_step.h"
 #include "engine/model/model.h"
 #include "engine/recording/snapshot.h"
@@ -60,6 +62,13 @@ struct CordContactSum {
   int count = 0;            // places
   double normal_force = 0;  // N, sum over these
   double overlap = 0;       // the deepest penetration, of the sum of the two radii
+};
+
+// The deepest contacts of cords.
+struct ContactDepths {
+  double penetration = 0;    // m, in bodies
+  ContactDepth pressed;      // into a body, deepest by its radius
+  ContactDepth overlapping;  // with another cord
 };
 
 // Of rigid bodies that touch each other.
@@ -122,14 +131,15 @@ class CableSystem {
   BodyContactSum body_contacts() const;
   // Contacts of cords with each other in the last step.
   CordContactSum cord_contacts() const;
-  // Deepest penetration (m) since the previous call.
-  double take_deepest_penetration();
+  // Those since the previous call.
+  ContactDepths take_deepest_contacts();
   // Deepest penetration (m) of the last step.
   double penetration() const;
-  // How often a safeguard has acted since the system was made, a count of contacts and steps; no part of the state.
-  std::int64_t stopped_blows() const;        // by cords on bodies too fast for a spring, stopped at its greatest depth
-  std::int64_t unresolved_contacts() const;  // of cords with bodies, whose spring was too stiff for the step
-  std::int64_t parted_overlaps() const;      // of cords found deeper in each other than their springs are
+  // Step (s) that the stiffness of contacts is for; 0 before the first one.
+  double contact_step() const;
+  // Whoever chooses the steps tells of each that is shorter than stability asks for.
+  void note_shortened_step();
+  const SafeguardCounts& safeguards() const;
   // Of the last step, for messages: e.g. "rod 2 (element 31) is pressed 0.06 m into the target"; empty without contact.
   std::string deepest_contact() const;
 

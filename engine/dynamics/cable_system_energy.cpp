@@ -125,6 +125,17 @@ double CableSystem::Impl::load_work() const {
   return work;
 }
 
+// At the velocities that the present forces lead to.
+contact_kernel::ContactPower CableSystem::Impl::contact_power_after(double kick) {
+  SlotVectors positions = coordinates, velocity = velocities_after(kick);
+  std::vector<DynamicBody> moving = bodies;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    moving[b].rigid() = bodies[b].after(wrenches[b], controls[b], kick);
+    moving[b].move_attachments(positions, velocity);
+  }
+  return contact_power(contacts.dissipated_power(velocity, moving), velocity, moving);
+}
+
 EnergyAudit CableSystem::Impl::audit() {
   const double half_kick = 0.5 * last_dt;
   compute_states();
@@ -135,15 +146,20 @@ EnergyAudit CableSystem::Impl::audit() {
   result.kinetic = kinetic_energy(velocity) + flow.kinetic;
   result.unresolved = unresolved_energy(velocity);
   result.strain = strain_energy();
-  const contact_kernel::ContactPower power = contact_power(contacts.dissipated_power_before());
+  const contact_kernel::ContactPower before = contact_power(contacts.dissipated_power_before(), velocities, bodies);
+  const contact_kernel::ContactPower after = contact_power_after(last_dt);
+  // Of the step that the forces act for. Where a contact rebounds within it, its first half takes more than the whole.
+  const auto first_half = [half_kick](double power, double later) {
+    return std::clamp(half_kick * power, 0.0, std::max(half_kick * (power + later), 0.0));
+  };
   result.contact = contacts.stored_energy();
   if (cord_contacts) result.contact += cord_contacts->stored_energy();
   if (body_contacts) result.contact += body_contacts->stored_energy();
   result.spent = spent;
   result.spent.in_cords += half_kick * element_power.dissipated;
   result.spent.at_hinges += half_kick * hinge_power;
-  result.spent.in_contacts += half_kick * power.damping;
-  result.spent.by_friction += half_kick * power.friction;
+  result.spent.in_contacts += first_half(before.damping, after.damping);
+  result.spent.by_friction += first_half(before.friction, after.friction);
   result.input = input_work + half_kick * element_power.fed + load_work() + flow.work -
                  0.5 * ropes.energy_change(coordinates, velocities) - initial_input;
   result.error = result.kinetic + result.strain + result.contact + result.spent.total() - result.input - initial_energy;

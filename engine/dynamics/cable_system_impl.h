@@ -91,6 +91,7 @@ struct CableSystem::Impl {
   AlignedVector<double> attached_forces;                   // on these
   BatchPower element_power;
   double hinge_power = 0;
+  SafeguardCounts hinge_safeguards;
   std::int64_t step_of_forces = -1;  // at which forces have been computed; -1: what they follow has changed since
   double step_size_of_forces = 0;    // s
   EnergyAudit last_audit;
@@ -103,8 +104,8 @@ struct CableSystem::Impl {
   double reference_step = 0;                   // s, that the stiffness of contacts is for; 0: no step yet
   std::vector<Eigen::Vector3d> impulses;       // of cords, by body
   std::vector<Eigen::Vector3d> body_impulses;  // of other bodies, by body
-  double deepest_penetration = 0;
-  std::int64_t stopped_blows = 0, unresolved_contacts = 0;
+  SafeguardCounts safeguards;
+  ContactDepths depths;
 
   std::vector<BatchElement> batch_elements() const;
   std::int32_t slot(std::size_t element, int corner) const {
@@ -129,12 +130,15 @@ struct CableSystem::Impl {
   void add_hinges(double kick);
   void find_contacts(double dt);
   void add_contacts(const StepTimes& times);
-  contact_kernel::ContactPower contact_power(contact_kernel::ContactPower on_bodies) const;
+  contact_kernel::ContactPower contact_power(contact_kernel::ContactPower on_bodies, const SlotVectors& at,
+                                             const std::vector<DynamicBody>& moving) const;
+  contact_kernel::ContactPower contact_power_after(double kick);
   void touch_bodies(const StepTimes& times);
   void find_cord_speed();
   void note_cord_speed();
   void note_motion();
   void set_reference_step(double dt);
+  void note_contacts();
   void compute_forces(double dt);
   void keep_forces_current(double dt);
   void forget_forces() { step_of_forces = step_of_audit = -1; }

@@ -66,6 +66,7 @@ void CableSystem::Impl::compute_element_forces(const Meanwhile& meanwhile) {
 
 void CableSystem::Impl::add_hinges(double kick) {
   hinge_power = 0;
+  hinge_safeguards = {};
   hinge_torques.assign(bodies.size(), SectorSum<Eigen::Vector3d>(Eigen::Vector3d::Zero()));
   for (HingeBlock& block : hinges) {
     hinge_kernel::Axes axes{{1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, 0}};
@@ -80,6 +81,8 @@ void CableSystem::Impl::add_hinges(double kick) {
       applied.add(block.gradient2[lane], lane_of(block.on_gradient2, lane));
       if (block.body >= 0) hinge_torques[block.body].add(lane, lane_of(block.torque_on_body, lane));
       hinge_power += block.dissipated_power[lane];
+      hinge_safeguards.limited_hinges += block.is_limited[lane] > 0 ? 1 : 0;
+      hinge_safeguards.loose_hinges += block.is_loose[lane] > 0 ? 1 : 0;
     }
   }
   for (std::size_t b = 0; b < bodies.size(); ++b) wrenches[b].torque += hinge_torques[b].total();
@@ -99,12 +102,14 @@ void CableSystem::Impl::add_contacts(const StepTimes& times) {
   if (cord_contacts) cord_contacts->add_forces(velocities, contacted, inverse_mass, times, applied);
 }
 
-// What all contacts take out of the motion now; `on_bodies`: those of cords with bodies.
-contact_kernel::ContactPower CableSystem::Impl::contact_power(contact_kernel::ContactPower on_bodies) const {
+// What all contacts take out of the motion at these velocities; `on_bodies`: those of cords with bodies.
+contact_kernel::ContactPower CableSystem::Impl::contact_power(contact_kernel::ContactPower on_bodies,
+                                                              const SlotVectors& at,
+                                                              const std::vector<DynamicBody>& moving) const {
   contact_kernel::ContactPower power = on_bodies;
-  if (cord_contacts) power += cord_contacts->dissipated_power(velocities);
+  if (cord_contacts) power += cord_contacts->dissipated_power(at);
   if (body_contacts) {
-    const BodyContact::Power of_bodies = body_contacts->power(bodies);
+    const BodyContact::Power of_bodies = body_contacts->power(moving);
     power += contact_kernel::ContactPower{of_bodies.damping, of_bodies.friction};
   }
   return power;
@@ -278,7 +283,7 @@ void CableSystem::Impl::step(double dt) {
   keep_forces_current(dt);
   // Velocities stand half a step of the previous size before the positions; at the start they stand with them.
   const double kick = 0.5 * (last_dt + dt);
-  const contact_kernel::ContactPower before = contact_power(contacts.dissipated_power_before());
+  const contact_kernel::ContactPower before = contact_power(contacts.dissipated_power_before(), velocities, bodies);
   input_work += kick * element_power.fed;
   spent.in_cords += kick * element_power.dissipated;
   spent.at_hinges += kick * hinge_power;
@@ -286,9 +291,7 @@ void CableSystem::Impl::step(double dt) {
     impulses[b] += kick * contacts.force_on(static_cast<std::int32_t>(b));
     if (body_contacts) body_impulses[b] += kick * body_contacts->force_on(static_cast<std::int32_t>(b));
   }
-  deepest_penetration = std::max(deepest_penetration, contacts.deepest_penetration());
-  stopped_blows += contacts.stops();
-  unresolved_contacts += contacts.unresolved();
+  note_contacts();
   double ropes_change = ropes.energy_change(coordinates, velocities);
 
   move_slots(velocities, coordinates, kick, dt);
@@ -297,7 +300,8 @@ void CableSystem::Impl::step(double dt) {
   ropes.finish_step();
   for (std::size_t b = 0; b < bodies.size(); ++b) input_work += step_body(b, kick, dt);
   for (DynamicBody& body : bodies) body.move_attachments(coordinates, velocities);
-  const contact_kernel::ContactPower after = contact_power(contacts.dissipated_power(velocities, bodies));
+  const contact_kernel::ContactPower after =
+      contact_power(contacts.dissipated_power(velocities, bodies), velocities, bodies);
   // Rounding aside neither is negative.
   spent.in_contacts += std::max(0.5 * kick * (before.damping + after.damping), 0.0);
   spent.by_friction += std::max(0.5 * kick * (before.friction + after.friction), 0.0);
@@ -310,6 +314,19 @@ void CableSystem::Impl::step(double dt) {
     note_cord_speed();
   }
   cords_way += dt * cord_speed;  // of all that moves by itself
+}
+
+// Of the forces of the present step.
+void CableSystem::Impl::note_contacts() {
+  safeguards += hinge_safeguards;
+  safeguards.stopped_blows += contacts.stops();
+  safeguards.unresolved_contacts += contacts.unresolved();
+  depths.penetration = std::max(depths.penetration, contacts.deepest_penetration());
+  depths.pressed.keep_deeper(contacts.deepest_part());
+  if (!cord_contacts) return;
+  safeguards.stopped_cords += cord_contacts->stops();
+  safeguards.parted_overlaps += cord_contacts->partings();
+  depths.overlapping.keep_deeper(cord_contacts->deepest_part());
 }
 
 // Returns the work of the body's control. Between two poses a point at a distance a from the centre moves by no more

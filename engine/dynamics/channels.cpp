@@ -65,6 +65,28 @@ bool target_is_inside(const Snapshot& snapshot, const Structure& structure, std:
   return hypotenuse(centre.x(), centre.z()) < radius;
 }
 
+void fill_depths(Snapshot& snapshot, const ContactDepths& depths) {
+  snapshot.channel(Channel::penetration_max) = depths.penetration;
+  snapshot.channel(Channel::penetration_part) = depths.pressed.part;
+  snapshot.channel(Channel::penetration_element) = depths.pressed.element;
+  snapshot.channel(Channel::penetration_body) = depths.pressed.partner;
+  snapshot.channel(Channel::penetration_stiffness) = depths.pressed.stiffness;
+  snapshot.channel(Channel::overlap_part) = depths.overlapping.part;
+  snapshot.channel(Channel::overlap_element) = depths.overlapping.element;
+  snapshot.channel(Channel::overlap_other) = depths.overlapping.partner;
+  snapshot.channel(Channel::overlap_stiffness) = depths.overlapping.stiffness;
+}
+
+void fill_safeguards(Snapshot& snapshot, const SafeguardCounts& counts) {
+  snapshot.channel(Channel::shortened_steps) = static_cast<double>(counts.shortened_steps);
+  snapshot.channel(Channel::limited_hinges) = static_cast<double>(counts.limited_hinges);
+  snapshot.channel(Channel::loose_hinges) = static_cast<double>(counts.loose_hinges);
+  snapshot.channel(Channel::stopped_blows) = static_cast<double>(counts.stopped_blows);
+  snapshot.channel(Channel::unresolved_contacts) = static_cast<double>(counts.unresolved_contacts);
+  snapshot.channel(Channel::stopped_cords) = static_cast<double>(counts.stopped_cords);
+  snapshot.channel(Channel::parted_overlaps) = static_cast<double>(counts.parted_overlaps);
+}
+
 }  // namespace
 
 void ChannelRecorder::fill(Snapshot& snapshot, const Structure& structure, CableSystem& system,
@@ -117,14 +139,21 @@ void ChannelRecorder::fill(Snapshot& snapshot, const Structure& structure, Cable
   }
   set(Channel::rope_tension_max, net_tension);
   set(Channel::closing_tension, rope_elements > 0 ? rope_tension / static_cast<double>(rope_elements) : 0);
-  set(Channel::penetration_max, system.take_deepest_penetration());
+  fill_depths(snapshot, system.take_deepest_contacts());
 
   set(Channel::energy_kinetic, energy.kinetic);
   set(Channel::energy_strain, energy.strain);
+  set(Channel::energy_contact, energy.contact);
   set(Channel::energy_input, energy.input);
   set(Channel::energy_dissipated, energy.spent.total());
+  set(Channel::spent_in_cords, energy.spent.in_cords);
+  set(Channel::spent_at_hinges, energy.spent.at_hinges);
+  set(Channel::spent_in_contacts, energy.spent.in_contacts);
+  set(Channel::spent_by_friction, energy.spent.by_friction);
   set(Channel::energy_error, energy.error);
   set(Channel::time_step, time_step);
+  set(Channel::contact_step, system.contact_step());
+  fill_safeguards(snapshot, system.safeguards());
 }
 
 void ChannelRecorder::visit_state(const std::function<void(double&)>& visit) {

@@ -133,7 +133,8 @@ ContactSolver::Law ContactSolver::make_law(const CordTouch& touch, std::int32_t 
   const ContactPart& solid =
       partners_[static_cast<std::size_t>(body)].search.parts()[static_cast<std::size_t>(touch.part)];
   return {{stiffness, damping_ * std::sqrt(stiffness * mass)},
-          std::min(depth_of_impact(mass, stiffness, kSoftImpact), material.radius + kThicknessPart * solid.thickness)};
+          std::min(depth_of_impact(mass, stiffness, kSoftImpact), material.radius + kThicknessPart * solid.thickness),
+          stiffness / of_materials};
 }
 
 const ContactSolver::Law& ContactSolver::law_of(const CordTouch& touch, std::int32_t body, double body_mass) {
@@ -151,6 +152,13 @@ ElementWeights ContactSolver::weights_at(const CordTouch& touch, double length) 
   ElementWeights weights{};
   for (std::size_t i = 0; i < 4; ++i) weights[i] = (1 - touch.t) * start[i] + touch.t * end[i];
   return weights;
+}
+
+void ContactSolver::note_depth(std::int32_t body, double body_mass, const CordTouch& touch) {
+  deepest_penetration_ = std::max(deepest_penetration_, touch.penetration);
+  const double part = touch.penetration / model_.radius_of(touch.element);
+  if (part <= deepest_part_.part) return;
+  deepest_part_ = {part, touch.element, body, law_of(touch, body, body_mass).softening};
 }
 
 void ContactSolver::add_contact(std::int32_t body, double body_mass, const CordTouch& touch, double length) {
@@ -221,7 +229,7 @@ void ContactSolver::find_contacts(std::int32_t body, const SlotVectors& coordina
   for (const CordTouch& touch : touches_) {
     const double length = batch.block(touch.element / kBlockSize).length[touch.element % kBlockSize];
     if (touch.penetration > 0) {
-      deepest_penetration_ = std::max(deepest_penetration_, touch.penetration);
+      note_depth(body, dynamic.least_mass(), touch);
     } else if (!hits_within_step(touch, body, length, velocities, dynamic, dt)) {
       continue;
     }
@@ -252,6 +260,7 @@ void ContactSolver::find(const SlotVectors& coordinates, const SlotVectors& velo
                          ContactedSlots& contacted) {
   contacts_.clear();
   deepest_penetration_ = 0;
+  deepest_part_ = {};
   if (reference_step_ == 0) set_reference_step(dt);
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     find_contacts(static_cast<std::int32_t>(b), coordinates, velocities, batch, bodies[b], cord_speed, dt);

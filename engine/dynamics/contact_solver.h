@@ -17,6 +17,7 @@
 #include "engine/bodies/sector_sum.h"
 #include "engine/contact/force_law.h"
 #include "engine/dynamics/applied_forces.h"
+#include "engine/dynamics/contact_depth.h"
 #include "engine/dynamics/contact_kernel.h"
 #include "engine/dynamics/contact_search.h"
 #include "engine/dynamics/contacted_slots.h"
@@ -64,6 +65,8 @@ class ContactSolver {
   bool has_contacts() const { return !contacts_.empty(); }
   const Eigen::Vector3d& force_on(std::int32_t body) const { return body_force_[body]; }
   double deepest_penetration() const { return deepest_penetration_; }  // m
+  // The deepest by its cord's radius.
+  const ContactDepth& deepest_part() const { return deepest_part_; }
   // Contacts that the present forces stop at their greatest depth.
   int stops() const { return stops_; }
   // Contacts whose spring is too stiff for the step (force_law.h: theta > 0).
@@ -78,7 +81,8 @@ class ContactSolver {
   // Of an element and a body.
   struct Law {
     NormalLaw law;
-    double deepest;  // m, penetration that no approach may pass
+    double deepest;    // m, penetration that no approach may pass
+    double softening;  // stiffness by that of the materials
   };
   struct Partner {
     ContactSearch search;
@@ -100,6 +104,7 @@ class ContactSolver {
   bool hits_within_step(const CordTouch& touch, std::int32_t body, double length, const SlotVectors& velocities,
                         const DynamicBody& dynamic, double dt) const;
   // `body_mass` (kg): the body's least.
+  void note_depth(std::int32_t body, double body_mass, const CordTouch& touch);
   void add_contact(std::int32_t body, double body_mass, const CordTouch& touch, double length);
   ElementWeights weights_at(const CordTouch& touch, double length) const;
   Law make_law(const CordTouch& touch, std::int32_t body, double body_mass) const;
@@ -122,6 +127,7 @@ class ContactSolver {
   AlignedVector<ContactBlock> contacts_;  // by body
   std::vector<Eigen::Vector3d> body_force_;
   double deepest_penetration_ = 0;
+  ContactDepth deepest_part_;
   int stops_ = 0, unresolved_ = 0;
   contact_kernel::ContactPower power_before_;
 };

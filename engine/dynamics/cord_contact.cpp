@@ -162,6 +162,7 @@ void CordContact::look_around(const SlotVectors& coordinates, const std::vector<
 void CordContact::find(const SlotVectors& coordinates, const SlotVectors& velocities,
                        const std::vector<double>& element_length, double dt, ContactedSlots& contacted) {
   contacts_.clear();
+  partings_ = stops_ = 0;
   if (reference_step_ == 0) reference_step_ = dt;
   if (search_.near().empty()) return;
   vertices_.clear();
@@ -230,10 +231,12 @@ void CordContact::set_forces(Contact& contact, const SlotVectors& velocities, co
   const NormalLaw law{contact.stiffness, damping_ * std::sqrt(contact.stiffness / w)};
   const double allowed_approach = std::max(contact.distance - kFloor * contact.reach, 0.0) / times.drift;
   const double stopping = (-allowed_approach - after_speed) / (times.kick * w);
-  contact.normal_force =
-      std::max(stepped_normal_force(law, contact.reach - contact.distance, {before_speed, after_speed},
-                                    times.inertia_factor() * w, times.drift),
-               stopping);
+  contact.normal_force = stepped_normal_force(law, contact.reach - contact.distance, {before_speed, after_speed},
+                                              times.inertia_factor() * w, times.drift);
+  if (stopping > contact.normal_force) {
+    ++stops_;
+    contact.normal_force = stopping;
+  }
   const double penetration = contact.reach - contact.distance;
   if (penetration > contact.deepest) {
     ++partings_;
@@ -286,14 +289,24 @@ contact_kernel::ContactPower CordContact::dissipated_power(const SlotVectors& ve
   return power;
 }
 
-int CordContact::count() const {
-  return static_cast<int>(std::ranges::count_if(contacts_, [](const Contact& c) { return c.normal_force > 0; }));
+ContactDepth CordContact::deepest_part() const {
+  ContactDepth deepest;
+  const Contact* where = nullptr;
+  for (const Contact& contact : contacts_) {
+    const double part = (contact.reach - contact.distance) / contact.reach;
+    if (!(part > deepest.part)) continue;
+    deepest.part = part;
+    where = &contact;
+  }
+  if (where == nullptr) return deepest;
+  deepest.element = where->side[0].element;
+  deepest.partner = where->side[1].element;
+  deepest.stiffness = where->stiffness / material_stiffness(deepest.element, deepest.partner);
+  return deepest;
 }
 
-double CordContact::deepest_overlap() const {
-  double deepest = 0;
-  for (const Contact& contact : contacts_) deepest = std::max(deepest, 1 - contact.distance / contact.reach);
-  return deepest;
+int CordContact::count() const {
+  return static_cast<int>(std::ranges::count_if(contacts_, [](const Contact& c) { return c.normal_force > 0; }));
 }
 
 double CordContact::total_normal_force() const {

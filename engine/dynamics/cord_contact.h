@@ -23,6 +23,7 @@
 
 #include "engine/contact/force_law.h"
 #include "engine/dynamics/applied_forces.h"
+#include "engine/dynamics/contact_depth.h"
 #include "engine/dynamics/contact_kernel.h"
 #include "engine/dynamics/contacted_slots.h"
 #include "engine/dynamics/cord_pairs.h"
@@ -66,12 +67,14 @@ class CordContact {
   double stored_energy() const;
   // What the contacts take out of the motion at these velocities, besides what their springs store.
   contact_kernel::ContactPower dissipated_power(const SlotVectors& velocities) const;
-  // Contacts that have been found deeper than their springs are (see kDeepImpact), a count of contacts and steps.
+  // Contacts of the last find or add_forces that were found deeper than their springs are (see kDeepImpact),
   std::int64_t partings() const { return partings_; }
+  // and whose approach was stopped within the step.
+  std::int64_t stops() const { return stops_; }
+  // The deepest by the sum of the radii.
+  ContactDepth deepest_part() const;
   // Contacts that bear force.
   int count() const;
-  // Deepest penetration, of the sum of the two radii.
-  double deepest_overlap() const;
   // Sum of the normal forces, N.
   double total_normal_force() const;
 
@@ -126,7 +129,7 @@ class CordContact {
   double damping_;  // alpha of force_law.h
   double reference_step_ = 0;
   double ahead_ = 0;  // m, distance of surfaces within which cords may need to be stopped in the coming step
-  std::int64_t partings_ = 0;
+  std::int64_t partings_ = 0, stops_ = 0;
   CordPolyline polyline_;
   CordPairs pairs_;
   CordSearch search_;

@@ -121,6 +121,8 @@ void forces(const SlotRows& coordinates, const SlotRows& velocities, const doubl
     store3(block.on_gradient2[0], 0, part, force2);
     store3(block.torque_on_body[0], 0, part, {-torque.x, -torque.y, -torque.z});
     store(block.dissipated_power, part, damping_moment * angle_rate);
+    store(block.is_limited, part, damping < own_damping ? one : zero);
+    store(block.is_loose, part, hold1.hold * hold2.hold < one ? one : zero);
   }
 }
 

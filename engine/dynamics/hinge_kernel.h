@@ -17,6 +17,8 @@ struct alignas(64) HingeBlock {
   double on_gradient1[3][kBlockSize], on_gradient2[3][kBlockSize];  // N m
   double torque_on_body[3][kBlockSize];                             // N m
   double dissipated_power[kBlockSize];                              // W
+  double is_limited[kBlockSize];                                    // 1 where the damper is limited, else 0
+  double is_loose[kBlockSize];  // 1 where a gradient is too short to be held firmly, else 0
 
   std::int32_t gradient1[kBlockSize], gradient2[kBlockSize];  // slots
   std::int32_t body = -1;                                     // -1: world axes

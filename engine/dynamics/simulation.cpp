@@ -231,12 +231,16 @@ struct Simulation::Impl {
     if (interval < 0 || steps_in_interval == interval_steps) begin_interval();
     material_changes.apply(system.time());
     system.control(pocket.spacecraft, drive.at(system.time(), system.motion(pocket.spacecraft)));
-    const std::int64_t unresolved = system.stopped_blows() + system.unresolved_contacts();
+    const auto unresolved = [this] {
+      return system.safeguards().stopped_blows + system.safeguards().unresolved_contacts;
+    };
+    const std::int64_t unresolved_before = unresolved();
+    StepCaution& caution = step_choice.caution();
+    if (scenario.solver.time_step == 0 && caution.part() < 1) system.note_shortened_step();
     system.step(time_step);
     drive.note_step(system.exerted(pocket.spacecraft), system.motion(pocket.spacecraft), time_step);
-    StepCaution& caution = step_choice.caution();
     caution.note_penetration(system.penetration());
-    const bool is_unresolved = system.stopped_blows() + system.unresolved_contacts() > unresolved;
+    const bool is_unresolved = unresolved() > unresolved_before;
     if (is_unresolved) caution.note_unresolved_contacts();
     if (++steps_in_interval == interval_steps) {
       end_interval();

@@ -7,9 +7,10 @@ namespace netpocket {
 
 class Recording;
 
-// Writes one row per frame with all channels in the order of kChannels, comma separated, under a line of their names;
-// numbers are the shortest that read back to the same double, times without the noise of summation. The file appears
-// under `path` only when it is complete and replaces an older one. Throws FileError.
+// Writes one row per frame with all channels of the recording in the order of kChannels, comma separated, under a line
+// of their names; what it lacks has no column. Numbers are the shortest that read back to the same double, times
+// without the noise of summation. The file appears under `path` only when it is complete and replaces an older one.
+// Throws FileError.
 void write_channels_csv(const Recording& recording, const std::string& path);
 
 }  // namespace netpocket

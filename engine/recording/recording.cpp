@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <sstream>
 
@@ -52,17 +53,20 @@ RunOrigin read_origin(const InputFile& file) {
   return origin;
 }
 
-// Column of each channel, by the names in the file.
-std::array<std::size_t, kChannelCount> find_columns(const InputFile& file, std::size_t& column_count) {
+// Column of each channel, by the names in the file; none: it was not recorded.
+std::array<std::optional<std::size_t>, kChannelCount> find_columns(const InputFile& file, std::size_t& column_count) {
   std::istringstream names(file.read_text_attribute("/frames/channels", "names"));
   std::vector<std::string> columns;
   for (std::string name; std::getline(names, name, ',');) columns.push_back(name);
   column_count = columns.size();
-  std::array<std::size_t, kChannelCount> found{};
+  std::array<std::optional<std::size_t>, kChannelCount> found{};
   for (std::size_t c = 0; c < kChannelCount; ++c) {
     const auto column = std::find(columns.begin(), columns.end(), kChannels[c].name);
-    if (column == columns.end()) throw Hdf5Error(fmt::format("channel {} is missing", kChannels[c].name));
-    found[c] = static_cast<std::size_t>(column - columns.begin());
+    if (column != columns.end()) {
+      found[c] = static_cast<std::size_t>(column - columns.begin());
+    } else if (kChannels[c].required) {
+      throw Hdf5Error(fmt::format("channel {} is missing", kChannels[c].name));
+    }
   }
   return found;
 }
@@ -139,6 +143,7 @@ struct Recording::Impl {
   std::optional<Tables> tables;
   std::optional<CheckpointReader> checkpoints;
   std::array<std::vector<double>, kChannelCount> channels;
+  std::array<bool, kChannelCount> has_channel{};
 };
 
 void Recording::Impl::open() {
@@ -160,12 +165,14 @@ void Recording::Impl::read_channels() {
   const InputTable table(file, "/frames/channels", H5T_FLOAT, {columns});
   const auto values = table.read_announced();
   const std::size_t rows = values.size() / columns;
-  const std::size_t time = column_of[static_cast<std::size_t>(Channel::time)];
+  const std::size_t time = column_of[static_cast<std::size_t>(Channel::time)].value();
   std::size_t frames = 0;
   while (frames < rows && std::isfinite(values[frames * columns + time])) ++frames;
   for (std::size_t c = 0; c < kChannelCount; ++c) {
-    channels[c].resize(frames);
-    for (std::size_t i = 0; i < frames; ++i) channels[c][i] = values[i * columns + column_of[c]];
+    has_channel[c] = column_of[c].has_value();
+    channels[c].resize(frames, std::numeric_limits<double>::quiet_NaN());
+    if (!has_channel[c]) continue;
+    for (std::size_t i = 0; i < frames; ++i) channels[c][i] = values[i * columns + *column_of[c]];
   }
   const auto& times = channels[static_cast<std::size_t>(Channel::time)];
   if (!std::is_sorted(times.begin(), times.end())) throw Hdf5Error("its frames are out of order");
@@ -268,6 +275,8 @@ const std::vector<double>& Recording::times() const { return channel(Channel::ti
 const std::vector<double>& Recording::channel(Channel c) const {
   return impl_->channels.at(static_cast<std::size_t>(c));
 }
+
+bool Recording::has_channel(Channel c) const { return impl_->has_channel.at(static_cast<std::size_t>(c)); }
 
 // What `read` returns for a frame that exists.
 template <typename Read>

@@ -28,7 +28,8 @@ class Recording {
 
   std::size_t frame_count() const;
   const std::vector<double>& times() const;             // s, by frame
-  const std::vector<double>& channel(Channel c) const;  // by frame
+  const std::vector<double>& channel(Channel c) const;  // by frame; NaN where the file does not have it
+  bool has_channel(Channel c) const;
   Snapshot frame(std::size_t index) const;
   // The contact points of a frame alone: much quicker than the whole of it.
   std::vector<ContactPoint> contacts(std::size_t index) const;

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/recording/run_history.h"
+#include "engine/recording/soundness.h"
 
 namespace netpocket {
 
@@ -25,6 +26,22 @@ Json judgement(Verdict verdict) {
   if (verdict == Verdict::yes) return true;
   if (verdict == Verdict::no) return false;
   return nullptr;
+}
+
+// Null where there is none, or where it was not recorded.
+Json depth_json(const std::optional<DeepestContact>& deepest) {
+  if (!deepest) return nullptr;
+  return {{"depth", deepest->depth}, {"part", deepest->part},       {"time", deepest->time},
+          {"cord", deepest->cord},   {"partner", deepest->partner}, {"stiffness", deepest->stiffness}};
+}
+
+// Null where they were not recorded.
+Json safeguards_json(const Recording& recording) {
+  const auto counts = safeguard_counts(recording);
+  if (counts.empty()) return nullptr;
+  Json json = Json::object();
+  for (const SafeguardCount& count : counts) json[std::string(count.name)] = count.value;
+  return json;
 }
 
 std::string capture_text(const Capture& capture) {
@@ -77,7 +94,10 @@ Json summary_json(const Recording& recording) {
           {"energy_error", summary.energy_error},
           {"energy_error_joules", summary.energy_error_joules},
           {"energy_put_in", summary.energy_put_in},
-          {"averaging_window", summary.averaging_window}};
+          {"averaging_window", summary.averaging_window},
+          {"penetration", depth_json(deepest_penetration(recording))},
+          {"overlap", depth_json(deepest_overlap(recording))},
+          {"safeguards", safeguards_json(recording)}};
 }
 
 std::string summary_text(const Recording& recording) {
@@ -103,6 +123,9 @@ std::string summary_text(const Recording& recording) {
       fmt::format("N, y at t = {:.4g} s, means over {:.3g} s", s.peak_time_y, s.averaging_window));
   row("impulse", s.impulse, "N s");
   text += line("energy error", energy_error_text(s.energy_error_joules, s.energy_put_in));
+  text += line("penetration", penetration_text(recording));
+  text += line("overlap", overlap_text(recording));
+  text += line("safeguards", safeguards_text(recording));
   return text;
 }
 

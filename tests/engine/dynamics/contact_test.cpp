@@ -65,7 +65,7 @@ double shoot(double speed, double height) {
   double deepest = 0;
   while (system.time() < 3 * height / speed) {
     system.step(dt);
-    deepest = std::max(deepest, system.take_deepest_penetration());
+    deepest = std::max(deepest, system.take_deepest_contacts().penetration);
   }
   EXPECT_FALSE(system.fault()) << *system.fault();
   // The middle of the cord, which came from above, may not be below the sphere.
@@ -203,7 +203,7 @@ TEST_F(VerificationContact, EndOfALightSlenderBody) {
   const double dt = 0.9 * system.stable_step().step, start = system.audit().kinetic;
   advance(system, 0.05, dt);
   EXPECT_GT(system.contact_impulse(0).norm(), 0.05);
-  EXPECT_EQ(system.unresolved_contacts(), 0);
+  EXPECT_EQ(system.safeguards().unresolved_contacts, 0);
   expect_below("energy error of a cord on the end of a light, slender body, of the kinetic energy",
                std::abs(system.audit().error) / start, 1e-2, "conservation of energy, c_r = 1");
 }

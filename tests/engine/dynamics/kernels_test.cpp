@@ -11,6 +11,7 @@
 #include "engine/dynamics/contact_kernel.h"
 #include "engine/dynamics/contacted_slots.h"
 #include "engine/dynamics/hinge_forces.h"
+#include "engine/dynamics/hinge_hold.h"
 #include "engine/dynamics/hinge_kernel.h"
 #include "engine/dynamics/rope_kernel.h"
 #include "engine/dynamics/slot_state.h"
@@ -261,6 +262,10 @@ TEST_F(VerificationKernels, Hinges) {
               i1 / gradients.get(hinge.gradient1).squaredNorm() + i2 / gradients.get(hinge.gradient2).squaredNorm();
           const double allowed = std::max(1 / (dt * turning), hinge.damping * (i1 + i2) / turning);
           limited += hinge.damping > allowed ? 1 : 0;
+          EXPECT_EQ(result.is_limited[lane], hinge.damping > allowed ? 1 : 0) << name;
+          const bool is_firm =
+              gradients.get(hinge.gradient1).norm() >= kFirmHold && gradients.get(hinge.gradient2).norm() >= kFirmHold;
+          EXPECT_EQ(result.is_loose[lane], is_firm ? 0 : 1) << name;
           hinge.damping = std::min(hinge.damping, allowed);
           const HingeForces expected =
               hinge_forces(hinge, gradients.get(hinge.gradient1), gradients.get(hinge.gradient2),

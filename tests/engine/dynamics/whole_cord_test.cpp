@@ -50,7 +50,7 @@ TEST_F(VerificationWholeCord, FromRest) {
   expect_relative("contact of a cord at rest 1 mm above a box, 500 m/s^2, s", system.time(), 2e-3, 1e-2,
                   "sqrt(2 h/a), found at most two steps late (verification case V7)");
   advance(system, 0.05, dt);
-  expect_below("and its deepest penetration, m", system.take_deepest_penetration(), 5e-3,
+  expect_below("and its deepest penetration, m", system.take_deepest_contacts().penetration, 5e-3,
                "the impact of 1 m/s and the load's own depth; it was 0.69 m");
 }
 
@@ -86,7 +86,7 @@ TEST_F(VerificationWholeCord, BarBetweenPoints) {
     const double impulse = -system.contact_impulse(0).y();
     least = std::min(least, impulse);
     largest = std::max(largest, impulse);
-    EXPECT_LT(system.take_deepest_penetration(), 0.004) << offset;
+    EXPECT_LT(system.take_deepest_contacts().penetration, 0.004) << offset;
   }
   ASSERT_GT(least, 0.005);
   expect_below("impulse of a cord that falls on a bar of 2 cm: largest / least over its places in an element",

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "engine/dynamics/simulation.h"
 #include "engine/dynamics/step_caution.h"
@@ -112,6 +114,72 @@ TEST(Caution, KeepsHeavyCordsOutOfTheTarget) {
   EXPECT_LT(deepest, 0.06);
   EXPECT_GT(deepest, 0.005) << "nothing presses";
   EXPECT_NE(simulation.statistics().step_limit.find("shortened for contacts pressed deep"), std::string::npos);
+}
+
+TEST(Safeguards, ActInAViolentRunAndSurviveARestart) {
+  constexpr Channel kCounts[] = {Channel::shortened_steps, Channel::limited_hinges,      Channel::loose_hinges,
+                                 Channel::stopped_blows,   Channel::unresolved_contacts, Channel::stopped_cords,
+                                 Channel::parted_overlaps};
+  Simulation watched(heavy_net()), unwatched(heavy_net());
+  for (int frame = 1; frame <= 48; ++frame) {
+    watched.advance(frame / 25.0);
+    const Snapshot now = watched.snapshot();
+    if (frame > 1) continue;
+    for (const Channel c : kCounts) {
+      if (c == Channel::shortened_steps) continue;
+      EXPECT_EQ(now.channel(c), 0) << channel_info(c).name << " before anything happens";
+    }
+  }
+  unwatched.advance(48 / 25.0);
+  Simulation restored(heavy_net());
+  restored.restore(unwatched.checkpoint());
+  Snapshot end[3];
+  Simulation* simulations[] = {&watched, &unwatched, &restored};
+  for (int i = 0; i < 3; ++i) {
+    ASSERT_EQ(simulations[i]->advance(2).reason, RunReason::finished);
+    end[i] = simulations[i]->snapshot();
+    for (const Channel c : kCounts) {
+      EXPECT_EQ(end[i].channel(c), end[0].channel(c)) << channel_info(c).name << " in run " << i;
+    }
+  }
+  EXPECT_GT(end[0].channel(Channel::shortened_steps), 100);
+  EXPECT_LT(end[0].channel(Channel::shortened_steps), static_cast<double>(end[0].step));
+  EXPECT_GT(end[0].channel(Channel::stopped_blows), 0);
+}
+
+// With cords that part, blows that are stopped and friction: nothing that is spent comes back, and the account closes.
+TEST(Safeguards, AccountOfAViolentRun) {
+  Scenario scenario = heavy_net();
+  scenario.contact.friction = 0.4;
+  Simulation simulation(scenario);
+  constexpr Channel kSpent[] = {Channel::spent_in_cords, Channel::spent_at_hinges, Channel::spent_in_contacts,
+                                Channel::spent_by_friction};
+  std::map<Channel, double> before;
+  double largest_error = 0;
+  Snapshot now;
+  for (int frame = 1; frame <= 75; ++frame) {
+    ASSERT_EQ(simulation.advance(frame / 25.0).reason, RunReason::finished);
+    now = simulation.snapshot();
+    const double round_off = 1e-12 * now.channel(Channel::energy_dissipated);
+    for (const Channel c : kSpent) {
+      EXPECT_GE(now.channel(c), before[c] - round_off) << channel_info(c).name << " at t = " << now.time;
+      before[c] = now.channel(c);
+    }
+    largest_error = std::max(largest_error, std::abs(now.channel(Channel::energy_error)));
+  }
+  EXPECT_GT(now.channel(Channel::parted_overlaps), 1000);
+  EXPECT_GT(now.channel(Channel::stopped_cords), 0);
+  EXPECT_GT(now.channel(Channel::loose_hinges), 0);
+  // Forces of contacts that part by themselves were counted though they did not act: four times as much.
+  EXPECT_LT(largest_error, 0.02 * now.channel(Channel::energy_dissipated));
+}
+
+TEST(Safeguards, NothingIsSpentByFrictionWithoutFriction) {
+  Simulation simulation(heavy_net());
+  ASSERT_EQ(simulation.advance(2.2).reason, RunReason::finished);
+  const Snapshot end = simulation.snapshot();
+  EXPECT_GT(end.channel(Channel::parted_overlaps), 1000);
+  EXPECT_NEAR(end.channel(Channel::spent_by_friction), 0, 1e-10 * end.channel(Channel::energy_dissipated));
 }
 
 // Even where steps are given, blows end at the greatest depth of a contact: it was up to 27 cm.

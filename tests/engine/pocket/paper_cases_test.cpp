@@ -13,6 +13,7 @@
 
 #include "engine/dynamics/run.h"
 #include "engine/recording/run_history.h"
+#include "engine/recording/soundness.h"
 #include "engine/recording/summary.h"
 #include "engine/scenario/read_scenario.h"
 #include "tests/engine/verification_table.h"
@@ -64,6 +65,30 @@ std::map<std::string, std::vector<std::string>> documented_verdicts() {
   return verdicts;
 }
 
+// What is spent never comes back, but for round-off, and all accounts together are that of the energy error.
+void expect_sound_accounts(const Recording& run) {
+  constexpr Channel kSpent[] = {Channel::spent_in_cords, Channel::spent_at_hinges, Channel::spent_in_contacts,
+                                Channel::spent_by_friction};
+  const double round_off = 1e-12 * run.channel(Channel::energy_dissipated).back();
+  for (const Channel c : kSpent) {
+    const auto& spent = run.channel(c);
+    for (std::size_t i = 1; i < spent.size(); ++i) {
+      ASSERT_GE(spent[i], spent[i - 1] - round_off) << channel_info(c).name << " at t = " << run.times()[i];
+    }
+    EXPECT_GT(spent.back(), 0) << channel_info(c).name;
+  }
+  double before = 0;
+  for (std::size_t i = 0; i < run.frame_count(); ++i) {
+    double sum = 0;
+    for (const Channel c : kSpent) sum += run.channel(c)[i];
+    EXPECT_NEAR(sum, run.channel(Channel::energy_dissipated)[i], round_off);
+    const double left = run.channel(Channel::energy_kinetic)[i] + run.channel(Channel::energy_strain)[i] +
+                        run.channel(Channel::energy_contact)[i] + sum - run.channel(Channel::energy_input)[i];
+    if (i == 0) before = left;
+    EXPECT_NEAR(left - before, run.channel(Channel::energy_error)[i], 10 * round_off);
+  }
+}
+
 // The document says of the three scenarios what their runs show: both are to be renewed together (`./dev findings`).
 TEST_F(VerificationPaperCases, FindingsAreThoseOfTheDocumentAndEnergyIsKept) {
   std::vector<Recording> runs;
@@ -92,6 +117,15 @@ TEST_F(VerificationPaperCases, FindingsAreThoseOfTheDocumentAndEnergyIsKept) {
   for (std::size_t i = 0; i < runs.size(); ++i) {
     expect_below(fmt::format("{}: energy error / energy put in", kCases[i]), summarize(runs[i]).energy_error, 5e-3,
                  "audit of the whole run to 20 s, springs and dampers of contacts counted by their laws");
+    expect_sound_accounts(runs[i]);
+    for (const SafeguardCount& count : safeguard_counts(runs[i])) EXPECT_EQ(count.value, 0) << kCases[i] << count.name;
+    EXPECT_EQ(safeguards_text(runs[i]), "none acted");
+    ASSERT_TRUE(deepest_penetration(runs[i]));
+    EXPECT_EQ(deepest_penetration(runs[i])->partner, "the target");
+    EXPECT_LT(deepest_penetration(runs[i])->part, 1);
+    // Rods are pressed deeper, but not by their radius.
+    EXPECT_LE(deepest_penetration(runs[i])->depth,
+              *std::ranges::max_element(runs[i].channel(Channel::penetration_max)) + 1e-12);
   }
 }
 

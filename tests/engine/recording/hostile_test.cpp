@@ -1,4 +1,5 @@
 // Files that nobody vouches for: one sentence, no crash, no huge allocation.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <hdf5.h>
 
@@ -109,6 +110,27 @@ TEST(Hostile, WrongAttributes) {
   EXPECT_EQ(attribute("/structure", "node_count", 2147483647), "/frames/position has the wrong dimensions");
   EXPECT_EQ(attribute("/structure", "rope_count", 1), "element 1 names a rope that does not exist");
   EXPECT_EQ(attribute("/frames/channels", "names", 1), "attribute names has the wrong type");
+}
+
+// Recordings by version 0.1 lack channels; those that it knew must be there.
+TEST(Hostile, MissingChannels) {
+  const auto without = [](Channel missing) {
+    std::string names;
+    for (const ChannelInfo& channel : kChannels) {
+      const bool is_missing = channel.name == channel_info(missing).name;
+      names += fmt::format("{}{}", names.empty() ? "" : ",", is_missing ? "another" : channel.name);
+    }
+    return Tampered([&names](hid_t file) {
+             const hid_t type = H5Tcopy(H5T_C_S1);
+             H5Tset_size(type, names.size());
+             replace_attribute(file, "/frames/channels", "names", type, names.data());
+             H5Tclose(type);
+           })
+        .reason();
+  };
+  EXPECT_EQ(without(Channel::contact_fy), "channel contact_fy is missing");
+  EXPECT_EQ(without(Channel::time), "channel time is missing");
+  EXPECT_EQ(without(Channel::spent_by_friction), "");
 }
 
 TEST(Hostile, WrongDatasets) {

@@ -1,0 +1,135 @@
+#include "engine/recording/soundness.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace netpocket {
+
+namespace {
+
+constexpr const char* kNotRecorded = "not recorded";
+
+// Frame at which a channel is largest; nothing when it is nowhere positive.
+std::optional<std::size_t> largest(const std::vector<double>& values) {
+  std::optional<std::size_t> frame;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (values[i] > (frame ? values[*frame] : 0)) frame = i;
+  }
+  return frame;
+}
+
+// A file may hold what is no index.
+template <typename Item>
+const Item* item_at(const std::vector<Item>& items, double index) {
+  const bool is_index = index >= 0 && index < static_cast<double>(items.size());
+  return is_index ? &items[static_cast<std::size_t>(index)] : nullptr;
+}
+
+std::string cord_name(const Structure& structure, double index) {
+  const StructureElement& element = *item_at(structure.elements, index);
+  return fmt::format("{} (element {})", structure.threads[static_cast<std::size_t>(element.thread)], index);
+}
+
+// 23456 as "23000".
+std::string rounded_text(double value) {
+  const double digit = std::pow(10, std::floor(std::log10(value)) - 1);
+  return fmt::format("{:g}", digit * std::round(value / digit));
+}
+
+std::string stiffness_text(const Recording& recording, double stiffness) {
+  if (stiffness >= 1) return "its spring is as stiff as the materials";
+  const auto& steps = recording.channel(Channel::contact_step);
+  return fmt::format("its spring is {} times softer than the materials, the stiffest that steps of {:.3g} µs resolve",
+                     rounded_text(1 / stiffness), 1e6 * steps.back());
+}
+
+std::string depth_text(const Recording& recording, const DeepestContact& deepest, const char* thickness,
+                       const char* where) {
+  return fmt::format("{:.2g} of {} at most ({:.2g} mm), at t = {:.4g} s: {} {} {}; {}", deepest.part, thickness,
+                     1e3 * deepest.depth, deepest.time, deepest.cord, where, deepest.partner,
+                     stiffness_text(recording, deepest.stiffness));
+}
+
+constexpr std::array<std::pair<Channel, std::string_view>, 7> kSafeguards = {
+    {{Channel::shortened_steps, "steps shortened"},
+     {Channel::limited_hinges, "hinge dampers limited"},
+     {Channel::loose_hinges, "hinges let go"},
+     {Channel::stopped_blows, "blows on bodies stopped"},
+     {Channel::unresolved_contacts, "contacts too stiff for the step"},
+     {Channel::stopped_cords, "cords kept from passing"},
+     {Channel::parted_overlaps, "overlaps parted"}}};
+
+}  // namespace
+
+std::optional<DeepestContact> deepest_penetration(const Recording& recording) {
+  const auto frame = largest(recording.channel(Channel::penetration_part));
+  if (!frame) return std::nullopt;
+  const auto value = [&](Channel c) { return recording.channel(c)[*frame]; };
+  const Structure& structure = recording.structure();
+  const double index = value(Channel::penetration_element);
+  const StructureElement* element = item_at(structure.elements, index);
+  const StructureBody* body = item_at(structure.bodies, value(Channel::penetration_body));
+  if (element == nullptr || body == nullptr) return std::nullopt;
+  const double part = value(Channel::penetration_part);
+  return DeepestContact{
+      recording.times()[*frame],   part * element->radius, part, value(Channel::penetration_stiffness),
+      cord_name(structure, index), "the " + body->name};
+}
+
+std::optional<DeepestContact> deepest_overlap(const Recording& recording) {
+  const auto frame = largest(recording.channel(Channel::overlap_part));
+  if (!frame) return std::nullopt;
+  const auto value = [&](Channel c) { return recording.channel(c)[*frame]; };
+  const Structure& structure = recording.structure();
+  const double first = value(Channel::overlap_element), second = value(Channel::overlap_other);
+  const StructureElement* one = item_at(structure.elements, first);
+  const StructureElement* other = item_at(structure.elements, second);
+  if (one == nullptr || other == nullptr) return std::nullopt;
+  const double part = value(Channel::overlap_part);
+  return DeepestContact{
+      recording.times()[*frame],         part * (one->radius + other->radius), part,
+      value(Channel::overlap_stiffness), cord_name(structure, first),          cord_name(structure, second)};
+}
+
+std::string penetration_text(const Recording& recording) {
+  if (const auto deepest = deepest_penetration(recording)) {
+    return depth_text(recording, *deepest, "the cord's radius", "in");
+  }
+  const auto frame = largest(recording.channel(Channel::penetration_max));
+  if (!frame) return "none";
+  const auto& depths = recording.channel(Channel::penetration_max);
+  return fmt::format("{:.2g} mm at most, at t = {:.4g} s; where was {}", 1e3 * depths[*frame],
+                     recording.times()[*frame], kNotRecorded);
+}
+
+std::string overlap_text(const Recording& recording) {
+  if (!recording.has_channel(Channel::overlap_part)) return kNotRecorded;
+  const auto deepest = deepest_overlap(recording);
+  return deepest ? depth_text(recording, *deepest, "the two radii", "and") : "none";
+}
+
+std::vector<SafeguardCount> safeguard_counts(const Recording& recording) {
+  std::vector<SafeguardCount> counts;
+  if (recording.frame_count() == 0) return counts;
+  for (const auto& [channel, words] : kSafeguards) {
+    if (!recording.has_channel(channel)) return {};
+    counts.push_back({channel_info(channel).name, words, recording.channel(channel).back()});
+  }
+  return counts;
+}
+
+std::string safeguards_text(const Recording& recording) {
+  const auto counts = safeguard_counts(recording);
+  if (counts.empty()) return recording.frame_count() == 0 ? "none acted" : kNotRecorded;
+  std::string text;
+  for (const SafeguardCount& count : counts) {
+    if (count.value == 0) continue;
+    text += fmt::format("{}{} {:.0f}", text.empty() ? "" : ", ", count.words, count.value);
+  }
+  return text.empty() ? "none acted" : text + " (each place in each step counts)";
+}
+
+}  // namespace netpocket
