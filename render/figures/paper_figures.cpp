@@ -311,22 +311,49 @@ std::string error_title(const RunSeries& run) {
   return fmt::format("error, at most {} % of the input", number_text(percent, decimals));
 }
 
+bool is_recorded(const RunSeries& run, Channel channel) {
+  return std::ranges::any_of(run.channel(channel), [](double value) { return std::isfinite(value); });
+}
+
+Panel balance_panel(const RunSeries& run, const std::string& name) {
+  Panel panel = time_panel(row_title(name, "balance"), "Energy (J)", phases(run));
+  panel.curves = {channel_curve(run, Channel::energy_input, kBlack, "put in"),
+                  channel_curve(run, Channel::energy_kinetic, kBlue, "kinetic"),
+                  channel_curve(run, Channel::energy_strain, kVermillion, "strain"),
+                  channel_curve(run, Channel::energy_dissipated, kGreen, "dissipated")};
+  if (is_recorded(run, Channel::energy_contact)) {
+    panel.curves.push_back(channel_curve(run, Channel::energy_contact, kOrange, "contact springs"));
+  }
+  return panel;
+}
+
+// Recordings made before the parts had channels hold their sum alone.
+Panel dissipation_panel(const RunSeries& run, const std::string& name) {
+  if (!is_recorded(run, Channel::spent_in_cords)) {
+    Panel sum = time_panel(row_title(name, "dissipated; parts not recorded"), "Energy (J)", phases(run));
+    sum.curves = {channel_curve(run, Channel::energy_dissipated, kGreen, "")};
+    return sum;
+  }
+  Panel panel = time_panel(row_title(name, "dissipated"), "Energy (J)", phases(run));
+  panel.curves = {channel_curve(run, Channel::spent_in_cords, kBlue, "in cords"),
+                  channel_curve(run, Channel::spent_at_hinges, kVermillion, "at hinges"),
+                  channel_curve(run, Channel::spent_in_contacts, kOrange, "in contacts"),
+                  channel_curve(run, Channel::spent_by_friction, kSkyBlue, "by friction")};
+  return panel;
+}
+
 void add_energy_row(std::vector<Panel>& panels, const RunSeries& run, const std::string& name) {
-  Panel balance = time_panel(row_title(name, "balance"), "Energy (J)", phases(run));
-  balance.curves = {channel_curve(run, Channel::energy_input, kBlack, "put in"),
-                    channel_curve(run, Channel::energy_kinetic, kBlue, "kinetic"),
-                    channel_curve(run, Channel::energy_strain, kVermillion, "strain"),
-                    channel_curve(run, Channel::energy_dissipated, kGreen, "dissipated")};
+  panels.push_back(balance_panel(run, name));
+  panels.push_back(dissipation_panel(run, name));
   Panel error = time_panel(row_title(name, error_title(run)), "Energy error (J)", phases(run));
   error.curves = {channel_curve(run, Channel::energy_error, kPurple, "")};
-  panels.push_back(balance);
   panels.push_back(error);
 }
 
 Figure energy_figure(const Runs& runs) {
   std::vector<Panel> panels;
   for (const RunSeries& run : runs) add_energy_row(panels, run, runs.size() > 1 ? run_name(run) : "");
-  return grid("Energy balance" + only_run(runs), panels, 2);
+  return grid("Energy balance" + only_run(runs), panels, 3);
 }
 
 Figure tension_figure(const Runs& runs) {

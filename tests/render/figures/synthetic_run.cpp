@@ -81,7 +81,12 @@ RunSeries synthetic_run(const std::string& name, double closing_time) {
     set(Channel::energy_kinetic, 6 * bump(t, closing_time / 2, closing_time / 2) + 0.4 * ramp(t, 10, 4));
     set(Channel::energy_strain, 0.6 * input);
     set(Channel::energy_input, input);
+    set(Channel::energy_contact, 2e-3 * std::abs(force));
     set(Channel::energy_dissipated, dissipated);
+    set(Channel::spent_in_cords, 0.45 * dissipated);
+    set(Channel::spent_at_hinges, 0.2 * dissipated);
+    set(Channel::spent_in_contacts, 0.25 * dissipated);
+    set(Channel::spent_by_friction, 0.1 * dissipated);
     set(Channel::energy_error, 2e-4 * input * std::sin(t));
   }
   return run;

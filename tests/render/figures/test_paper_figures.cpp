@@ -122,12 +122,40 @@ TEST_F(PaperFigures, StateTheEnergyErrorInPercent) {
   std::fill(run.channel(Channel::energy_input).begin(), run.channel(Channel::energy_input).end(), 50);
   const auto title = [&](double error) {
     std::fill(run.channel(Channel::energy_error).begin(), run.channel(Channel::energy_error).end(), error);
-    return make_figure("energy", {run}).panels[1].title;
+    return make_figure("energy", {run}).panels.back().title;
   };
   EXPECT_EQ(title(-0.17), "Error, at most 0.34 % of the input");
   EXPECT_EQ(title(0.00613), "Error, at most 0.012 % of the input");
   EXPECT_EQ(title(75), "Error, at most 150 % of the input");
   EXPECT_EQ(title(1e-9), "Error, below 0.001 % of the input");
+}
+
+TEST_F(PaperFigures, ShowWhereEnergyIsSpent) {
+  const RunSeries run = synthetic_run("case1", 10);
+  const std::vector<Panel> panels = make_figure("energy", {run}).panels;
+  ASSERT_EQ(panels.size(), 3u);
+  EXPECT_EQ(panels[0].curves.back().y, run.channel(Channel::energy_contact));
+  EXPECT_EQ(panels[0].curves.back().label, "contact springs");
+  const Channel parts[] = {Channel::spent_in_cords, Channel::spent_at_hinges, Channel::spent_in_contacts,
+                           Channel::spent_by_friction};
+  ASSERT_EQ(panels[1].curves.size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(panels[1].curves[i].y, run.channel(parts[i]));
+}
+
+// As in recordings by version 0.1.
+TEST_F(PaperFigures, LeaveOutWhatWasNotRecorded) {
+  RunSeries run = synthetic_run("case1", 10);
+  for (std::size_t c = 0; c < kChannelCount; ++c) {
+    if (!kChannels[c].required) run.channels[c].assign(run.times().size(), std::numeric_limits<double>::quiet_NaN());
+  }
+  const std::vector<Panel> panels = make_figure("energy", {run, synthetic_run("case2", 7.5)}).panels;
+  ASSERT_EQ(panels.size(), 6u);
+  EXPECT_EQ(panels[0].curves.size(), 4u);
+  EXPECT_EQ(panels[1].title, "case1: dissipated; parts not recorded");
+  ASSERT_EQ(panels[1].curves.size(), 1u);
+  EXPECT_EQ(panels[1].curves[0].y, run.channel(Channel::energy_dissipated));
+  EXPECT_EQ(panels[3].curves.size(), 5u);
+  EXPECT_EQ(panels[4].title, "case2: dissipated");
 }
 
 TEST_F(PaperFigures, LeaveOutPhasesThatAreNotKnown) {
