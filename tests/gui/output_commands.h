@@ -19,8 +19,6 @@ inline std::string content(const std::string& path) {
   return text.str();
 }
 
-inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
-
 inline mode_t mode_of(const std::string& path) {
   struct stat status = {};
   EXPECT_EQ(stat(path.c_str(), &status), 0) << path;

@@ -66,7 +66,7 @@ TEST(Study, FilesOfOthersStay) {
   const auto result = run_program({"study", study, "-o", folder.file("")});
   EXPECT_EQ(result.exit_code, 5);
   EXPECT_TRUE(contains(result.error, "holds something that is not of a study")) << result.error;
-  EXPECT_EQ(content(folder.file("runs/mine.h5")), "years of work");
+  EXPECT_EQ(text_of(folder.file("runs/mine.h5")), "years of work");
 }
 
 TEST(Study, OneAtATimeInAFolder) {

@@ -115,9 +115,10 @@ TEST_F(Resume, WithATargetOfAnyShape) {
     const std::string whole = file("whole.h5"), cut = file("cut.h5"), again = file("again.h5");
     for (const std::string& path : {whole, cut, again}) std::filesystem::remove(path);
     run_to_recording(scenario, whole, kProgram);
-    ASSERT_FALSE(Recording(whole).frame(Recording(whole).frame_count() - 1).contacts.empty())
-        << static_cast<int>(shape);
-    run_and_stop(scenario, cut, 22);
+    constexpr int kCut = 22;
+    const std::vector<double> contacts = Recording(whole).channel(Channel::contact_count);
+    ASSERT_GT(*std::max_element(contacts.begin() + kCut, contacts.end()), 0) << static_cast<int>(shape);
+    run_and_stop(scenario, cut, kCut);
     std::filesystem::remove(file("body.obj"));
     resume_recording(cut, again, kProgram);
     expect_same_run(again, whole);
