@@ -123,8 +123,9 @@ constexpr std::array kGroups = {
     ParameterGroup{"rods", "Rods", "Shape, section and material of the inflatable rods."},
     ParameterGroup{"spacecraft", "Spacecraft", "The service spacecraft; the rods' roots are clamped to it."},
     ParameterGroup{"target", "Target", "The body to be captured."},
-    ParameterGroup{"contact", "Contact",
-                   "Contact of cords, ropes and rods with target and spacecraft and among themselves, and of these two."},
+    ParameterGroup{
+        "contact", "Contact",
+        "Contact of cords, ropes and rods with target and spacecraft and among themselves, and of these two."},
     ParameterGroup{"closing", "Closing", "How the retractors at the rod tips draw the mouth together."},
     ParameterGroup{"towing", "Towing", "How the spacecraft pulls the captured target towards -Y."},
     ParameterGroup{"solver", "Solver", "Evaluation of the elements and integration in time."},

@@ -78,9 +78,10 @@ TEST(ReadScenario, WrongTypesNameWhatIsExpected) {
   EXPECT_EQ(problems("[net.diameter]\nx = 1"), "a.toml:1: net.diameter: expects a number in m, not a table");
   EXPECT_EQ(problems("net = 3"), "a.toml:1: net: is a table: write [net] and its keys on the lines below");
   EXPECT_EQ(problems("[[net]]"), "a.toml:1: net: is a table: write [net] and its keys on the lines below");
-  EXPECT_EQ(problems("rods.profile = [[1, 2], [3]]"),
-            "a.toml:1: rods.profile: expects a list of pairs of numbers [[a, b], ...] in m, m, not one with a list of 1 "
-            "in it");
+  EXPECT_EQ(
+      problems("rods.profile = [[1, 2], [3]]"),
+      "a.toml:1: rods.profile: expects a list of pairs of numbers [[a, b], ...] in m, m, not one with a list of 1 "
+      "in it");
   EXPECT_EQ(problems("name = 2024-01-01"), "a.toml:1: name: expects text in quotes, not a date or time");
 }
 

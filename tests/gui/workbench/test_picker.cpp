@@ -52,7 +52,8 @@ TEST(Picker, FindsTheTargetThroughTheMouthButNotACordBehindIt) {
   ASSERT_TRUE(pick);
   ASSERT_EQ(pick->kind, PickKind::body);
   EXPECT_EQ(state.structure->bodies[static_cast<std::size_t>(pick->index)].role, BodyRole::target);
-  // The sphere's nearest point to a viewer on the axis: 4.5 m before its centre (the default radius), to the tracing's tolerance.
+  // The sphere's nearest point to a viewer on the axis: 4.5 m before its centre (the default radius), to the tracing's
+  // tolerance.
   EXPECT_NEAR(pick->local.norm(), 4.5, 1e-3);
 }
 
