@@ -75,7 +75,9 @@ class AsciiStl {
       ended_ = ended_ || word == "endsolid";
       skip_name();
     } else if (word == "end") {  // "end loop", also in two words
-      take("end" + lower_case(words_.next()));
+      const std::string what = lower_case(words_.next());
+      if (what.empty()) words_.fail("this is not STL");
+      take("end" + what);
     } else if (word == "facet" || word == "color" || word == "colour") {
       ended_ = ended_ && word != "facet";
       skip_numbers();

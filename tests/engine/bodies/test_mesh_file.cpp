@@ -190,6 +190,12 @@ TEST(MeshFile, CutOffBinaryStlIsRefused) {
   EXPECT_NE(problem(read_stl(lying, 1)), "");
 }
 
+TEST(MeshFile, AnEndOfNothingIsRefused) {
+  for (const char* text : {"solid x\nend\n", "solid x\nfacet\nend\nloop\n", "solid x\nend"}) {
+    EXPECT_NE(problem(read_stl(text, 1)).find("this is not STL"), std::string::npos) << text;
+  }
+}
+
 TEST(MeshFileHardening, DamagedFilesDoNoHarm) {
   const MeshData box = samples::box({1, 1, 1});
   std::mt19937 random(5);
