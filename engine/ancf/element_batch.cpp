@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "engine/ancf/element_kernel.h"
-#include "engine/ancf/instruction_set.h"
+#include "engine/math/instruction_set.h"
 
 namespace netpocket {
 namespace {
@@ -22,21 +22,21 @@ const Kernels& kernels() {
   return chosen;
 }
 
-// Fills base and rotation of a corner whose lanes read an aligned run of eight slots, rotated.
+// Fills base and rotation of a corner whose lanes read an aligned run of eight coordinates, rotated.
 void find_run(ElementBlock& block, int corner) {
-  const std::int32_t* slot = block.slot[corner];
-  const std::int32_t base = slot[0] / kBlockSize * kBlockSize;
-  const std::int32_t rotation = slot[0] - base;
+  const std::int32_t* coordinate = block.coordinate[corner];
+  const std::int32_t base = coordinate[0] / kBlockSize * kBlockSize;
+  const std::int32_t rotation = coordinate[0] - base;
   bool regular = true;
   for (int lane = 0; lane < kBlockSize; ++lane) {
-    regular = regular && slot[lane] == base + (lane + rotation) % kBlockSize;
+    regular = regular && coordinate[lane] == base + (lane + rotation) % kBlockSize;
   }
   block.base[corner] = regular ? base : -1;
   block.rotation[corner] = regular ? rotation : 0;
 }
 
 void fill_lane(ElementBlock& block, SectionRows& rows, int lane, const BatchElement& element) {
-  for (int corner = 0; corner < 4; ++corner) block.slot[corner][lane] = element.slot[corner];
+  for (int corner = 0; corner < 4; ++corner) block.coordinate[corner][lane] = element.coordinate[corner];
   const CableSection& section = element.section;
   block.length[lane] = element.length;
   block.inverse_length[lane] = 1.0 / element.length;
@@ -52,7 +52,9 @@ void fill_lane(ElementBlock& block, SectionRows& rows, int lane, const BatchElem
 // A lane without an element: reads valid coordinates and exerts no force.
 void fill_idle_lane(ElementBlock& block, SectionRows& rows, int lane) {
   BatchElement idle{};
-  std::copy_n(std::begin({block.slot[0][0], block.slot[1][0], block.slot[2][0], block.slot[3][0]}), 4, idle.slot);
+  std::copy_n(
+      std::begin({block.coordinate[0][0], block.coordinate[1][0], block.coordinate[2][0], block.coordinate[3][0]}), 4,
+      idle.coordinate);
   idle.length = 1;
   idle.section = CableSection{};
   idle.section.EA = idle.section.EI = 0;
@@ -77,15 +79,18 @@ ElementBatch::ElementBatch(std::span<const BatchElement> elements)
     for (int corner = 0; corner < 4; ++corner) find_run(block, corner);
     block.section = index_of(rows);
   }
-  find_mates(elements);
+  find_strain_partners(elements);
 }
 
-void ElementBatch::find_mates(std::span<const BatchElement> elements) {
-  const auto mate_of = [&](std::size_t element) { return element < elements.size() ? elements[element].mate : -1; };
-  // Whether the mates of all lanes are in the block `distance` on.
+void ElementBatch::find_strain_partners(std::span<const BatchElement> elements) {
+  const auto strain_partner_of = [&](std::size_t element) {
+    return element < elements.size() ? elements[element].strain_partner : -1;
+  };
+  // Whether the strain partners of all lanes are in the block `distance` on.
   const auto aligned = [&](std::size_t b, int distance) {
     for (std::size_t i = b * kBlockSize; i < (b + 1) * kBlockSize; ++i) {
-      if (mate_of(i) < 0 || mate_of(i) != static_cast<std::int32_t>(i) + distance * kBlockSize) return false;
+      if (strain_partner_of(i) < 0 || strain_partner_of(i) != static_cast<std::int32_t>(i) + distance * kBlockSize)
+        return false;
     }
     return true;
   };
@@ -98,16 +103,17 @@ void ElementBatch::find_mates(std::span<const BatchElement> elements) {
       block.pairing = Pairing::second;
     } else {
       SectionRows unused{};
-      ElementBlock mates = block;
+      ElementBlock strain_partners = block;
       for (std::size_t i = b * kBlockSize; i < (b + 1) * kBlockSize; ++i) {
-        if (mate_of(i) < 0) continue;
+        if (strain_partner_of(i) < 0) continue;
         block.pairing = Pairing::elsewhere;
-        fill_lane(mates, unused, static_cast<int>(i % kBlockSize), elements[static_cast<std::size_t>(mate_of(i))]);
+        fill_lane(strain_partners, unused, static_cast<int>(i % kBlockSize),
+                  elements[static_cast<std::size_t>(strain_partner_of(i))]);
       }
       if (block.pairing == Pairing::none) continue;
-      for (int corner = 0; corner < 4; ++corner) find_run(mates, corner);
-      block.mates = static_cast<std::int32_t>(mates_.size());
-      mates_.push_back(mates);
+      for (int corner = 0; corner < 4; ++corner) find_run(strain_partners, corner);
+      block.strain_partners = static_cast<std::int32_t>(strain_partners_.size());
+      strain_partners_.push_back(strain_partners);
     }
   }
 }
@@ -127,18 +133,18 @@ void ElementBatch::set_length(int element, double length, double rate) {
   block.inverse_length[lane] = 1.0 / length;
   block.length_rate[lane] = rate / length;
   if (block.pairing != Pairing::elsewhere) return;
-  ElementBlock& mates = mates_[block.mates];  // a mate is as long
-  mates.length[lane] = length;
-  mates.inverse_length[lane] = block.inverse_length[lane];
-  mates.length_rate[lane] = block.length_rate[lane];
+  ElementBlock& strain_partners = strain_partners_[block.strain_partners];  // a strain partner is as long
+  strain_partners.length[lane] = length;
+  strain_partners.inverse_length[lane] = block.inverse_length[lane];
+  strain_partners.length_rate[lane] = block.length_rate[lane];
 }
 
-BatchPower ElementBatch::forces(int first, int last, const SlotRows& coordinates, const SlotRows& velocities,
-                                double* forces) const {
+BatchPower ElementBatch::forces(int first, int last, const CoordinateRows& coordinates,
+                                const CoordinateRows& velocities, double* forces) const {
   return kernels().forces(view(), first, last, coordinates, velocities, forces);
 }
 
-void ElementBatch::states(int first, int last, const SlotRows& coordinates, const SlotRows& velocities,
+void ElementBatch::states(int first, int last, const CoordinateRows& coordinates, const CoordinateRows& velocities,
                           double* states) const {
   kernels().states(view(), first, last, coordinates, velocities, states);
 }

@@ -3,7 +3,7 @@
 // to round-off. Elements are computed in blocks of eight lanes; consecutive elements whose coordinates are consecutive
 // too (the eight sectors of a pocket) are read without gathering.
 //
-// A "slot" is one vector-valued coordinate: a node's position or a gradient.
+// A "coordinate" is one vector-valued coordinate: a node's position or a gradient.
 
 #include <cstdint>
 #include <memory>
@@ -14,29 +14,29 @@
 
 namespace netpocket {
 
-inline constexpr int kBlockSize = 8;  // elements (and slots) computed at once
+inline constexpr int kBlockSize = 8;  // elements (and coordinates) computed at once
 
-// Where the vectors of all slots stand: of every block of eight slots a row of eight x, one of y and one of z, 64-byte
-// aligned.
-struct SlotRows {
+// Where the vectors of all coordinates stand: of every block of eight coordinates a row of eight x, one of y and one of
+// z, 64-byte aligned.
+struct CoordinateRows {
   const double* first = nullptr;
 };
-inline constexpr int kSlotRows = 3;
+inline constexpr int kVectorRows = 3;
 
 struct BatchElement {
-  std::int32_t slot[4];  // r1, g1, r2, g2
-  double length;         // m
+  std::int32_t coordinate[4];  // r1, g1, r2, g2
+  double length;               // m
   CableSection section;
-  bool variable = false;   // length changes during the run: see set_length
-  std::int32_t mate = -1;  // element with which it shares its axial strain (strain_pair.h), or -1
+  bool variable = false;             // length changes during the run: see set_length
+  std::int32_t strain_partner = -1;  // element with which it shares its axial strain (strain_pair.h), or -1
 };
 
-// How the elements of a block find their mates' strain.
+// How the elements of a block find their strain partners' strain.
 enum class Pairing : std::uint8_t {
-  none,      // no element has a mate
-  first,     // the mate of each lane is the same lane of the next block
+  none,      // no element has a strain partner
+  first,     // the strain partner of each lane is the same lane of the next block
   second,    // ... of the previous block
-  elsewhere  // anywhere: the block has a copy of what its mates read
+  elsewhere  // anywhere: the block has a copy of what its strain partners read
 };
 
 // What the elements of a block are made of, by lane. Few differ: blocks refer to a common table that stays in the
@@ -55,21 +55,21 @@ struct alignas(64) SectionRows {
 struct alignas(64) ElementBlock {
   double length[kBlockSize];          // m
   double inverse_length[kBlockSize];  // 1/m
-  std::int32_t base[4];      // by corner: first slot of an aligned run of eight that the lanes read rotated, or -1
-  std::int32_t rotation[4];  // lane i reads base + (i + rotation) mod 8
-  std::int32_t section;      // row of the table of sections
-  std::int32_t mates;        // pairing elsewhere: row of the table of mates
-  bool variable;             // the length of a lane or more changes
+  std::int32_t base[4];  // by corner: first coordinate of an aligned run of eight that the lanes read rotated, or -1
+  std::int32_t rotation[4];      // lane i reads base + (i + rotation) mod 8
+  std::int32_t section;          // row of the table of sections
+  std::int32_t strain_partners;  // pairing elsewhere: row of the table of strain partners
+  bool variable;                 // the length of a lane or more changes
   Pairing pairing;
   alignas(64) double length_rate[kBlockSize];  // Ldot/L, 1/s
-  std::int32_t slot[4][kBlockSize];
+  std::int32_t coordinate[4][kBlockSize];
 };
 
 // What the element kernels read.
 struct BatchView {
   const ElementBlock* blocks;
   const SectionRows* sections;
-  const ElementBlock* mates;
+  const ElementBlock* strain_partners;
 };
 
 // W.
@@ -90,7 +90,7 @@ class ElementBatch {
  public:
   explicit ElementBatch(std::span<const BatchElement> elements);
 
-  BatchView view() const { return {blocks_.data(), sections_.data(), mates_.data()}; }
+  BatchView view() const { return {blocks_.data(), sections_.data(), strain_partners_.data()}; }
   int block_count() const { return static_cast<int>(blocks_.size()); }
   int element_count() const { return element_count_; }
   const ElementBlock& block(int index) const { return blocks_[index]; }
@@ -101,19 +101,22 @@ class ElementBatch {
   // Resisting forces Q (equation of motion: M qdd + Q = F) of blocks [first, last) at these coordinates and velocities.
   // `forces` holds kForceRows * kBlockSize doubles for each block of the batch, 64-byte aligned. A pair of blocks
   // counts as its first. Safe to call from several threads for different blocks.
-  BatchPower forces(int first, int last, const SlotRows& coordinates, const SlotRows& velocities, double* forces) const;
+  BatchPower forces(int first, int last, const CoordinateRows& coordinates, const CoordinateRows& velocities,
+                    double* forces) const;
   // Strains and energies of blocks [first, last): `states` holds kStateRows * kBlockSize doubles for each block of the
   // batch, 64-byte aligned. Likewise safe.
-  void states(int first, int last, const SlotRows& coordinates, const SlotRows& velocities, double* states) const;
+  void states(int first, int last, const CoordinateRows& coordinates, const CoordinateRows& velocities,
+              double* states) const;
 
  private:
   std::int32_t index_of(const SectionRows& rows);
-  void find_mates(std::span<const BatchElement> elements);
+  void find_strain_partners(std::span<const BatchElement> elements);
 
   int element_count_ = 0;
   std::vector<ElementBlock> blocks_;
   std::vector<SectionRows> sections_;
-  std::vector<ElementBlock> mates_;  // of blocks with pairing elsewhere; lanes without a mate hold the element itself
+  std::vector<ElementBlock>
+      strain_partners_;  // of blocks with pairing elsewhere; lanes without a strain partner hold the element itself
 };
 
 }  // namespace netpocket

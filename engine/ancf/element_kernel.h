@@ -6,28 +6,28 @@
 namespace netpocket::element_kernel {
 
 // Fills rows of ElementBatch::states.
-using StateKernel = void (*)(const BatchView& batch, int first, int last, const SlotRows& coordinates,
-                             const SlotRows& velocities, double* states);
-using Kernel = BatchPower (*)(const BatchView& batch, int first, int last, const SlotRows& coordinates,
-                              const SlotRows& velocities, double* forces);
+using StateKernel = void (*)(const BatchView& batch, int first, int last, const CoordinateRows& coordinates,
+                             const CoordinateRows& velocities, double* states);
+using Kernel = BatchPower (*)(const BatchView& batch, int first, int last, const CoordinateRows& coordinates,
+                              const CoordinateRows& velocities, double* forces);
 
 namespace baseline {
-void element_states(const BatchView& batch, int first, int last, const SlotRows& coordinates,
-                    const SlotRows& velocities, double* states);
-BatchPower element_forces(const BatchView& batch, int first, int last, const SlotRows& coordinates,
-                          const SlotRows& velocities, double* forces);
+void element_states(const BatchView& batch, int first, int last, const CoordinateRows& coordinates,
+                    const CoordinateRows& velocities, double* states);
+BatchPower element_forces(const BatchView& batch, int first, int last, const CoordinateRows& coordinates,
+                          const CoordinateRows& velocities, double* forces);
 }  // namespace baseline
 namespace avx2 {
-void element_states(const BatchView& batch, int first, int last, const SlotRows& coordinates,
-                    const SlotRows& velocities, double* states);
-BatchPower element_forces(const BatchView& batch, int first, int last, const SlotRows& coordinates,
-                          const SlotRows& velocities, double* forces);
+void element_states(const BatchView& batch, int first, int last, const CoordinateRows& coordinates,
+                    const CoordinateRows& velocities, double* states);
+BatchPower element_forces(const BatchView& batch, int first, int last, const CoordinateRows& coordinates,
+                          const CoordinateRows& velocities, double* forces);
 }  // namespace avx2
 namespace avx512 {
-void element_states(const BatchView& batch, int first, int last, const SlotRows& coordinates,
-                    const SlotRows& velocities, double* states);
-BatchPower element_forces(const BatchView& batch, int first, int last, const SlotRows& coordinates,
-                          const SlotRows& velocities, double* forces);
+void element_states(const BatchView& batch, int first, int last, const CoordinateRows& coordinates,
+                    const CoordinateRows& velocities, double* states);
+BatchPower element_forces(const BatchView& batch, int first, int last, const CoordinateRows& coordinates,
+                          const CoordinateRows& velocities, double* forces);
 }  // namespace avx512
 
 }  // namespace netpocket::element_kernel

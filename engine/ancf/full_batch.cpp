@@ -1,10 +1,10 @@
 #include "engine/ancf/full_batch.h"
 
-#include "engine/ancf/instruction_set.h"
+#include "engine/math/instruction_set.h"
 
 namespace netpocket {
-BatchPower FullBatch::forces(const ElementBatch& batch, int first, int last, const SlotRows& coordinates,
-                             const SlotRows& velocities, double* forces) const {
+BatchPower FullBatch::forces(const ElementBatch& batch, int first, int last, const CoordinateRows& coordinates,
+                             const CoordinateRows& velocities, double* forces) const {
   static const full_kernel::Kernel kernel = choose_variant(
       full_kernel::baseline::element_forces, full_kernel::avx2::element_forces, full_kernel::avx512::element_forces);
   return kernel(batch.view(), start_rates_.data(), first, last, coordinates, velocities, forces);

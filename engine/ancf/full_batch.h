@@ -20,8 +20,8 @@ class FullBatch {
   }
 
   // As ElementBatch::forces, of the full evaluation.
-  BatchPower forces(const ElementBatch& batch, int first, int last, const SlotRows& coordinates,
-                    const SlotRows& velocities, double* forces) const;
+  BatchPower forces(const ElementBatch& batch, int first, int last, const CoordinateRows& coordinates,
+                    const CoordinateRows& velocities, double* forces) const;
 
  private:
   std::vector<full_kernel::StartRates> start_rates_;

@@ -10,41 +10,41 @@
 
 #include "engine/ancf/full_kernel.h"
 
-#include "engine/ancf/element_slots.h"
-#include "engine/ancf/lanes.h"
+#include "engine/ancf/element_coordinates.h"
 #include "engine/ancf/quadrature.h"
+#include "engine/math/simd.h"
 
 namespace netpocket::full_kernel::NETPOCKET_ISA_NAME {
 namespace {
 
-using namespace lanes;
+using namespace simd;
 
 constexpr double kVanishing = kBendingRoundOff * kBendingRoundOff;
 constexpr double kSmallestSquare = 0.81;  // FullElementOptions::smallest_stretch squared
 
-NETPOCKET_INLINE Lanes3 scaled(double factor, const Lanes3& a) { return broadcast(factor) * a; }
+NETPOCKET_INLINE SimdVector scaled(double factor, const SimdVector& a) { return broadcast(factor) * a; }
 
 // Modes of the slope, or anything conjugate to them.
 struct Modes {
-  Lanes3 e, s, h;
+  SimdVector e, s, h;
 };
-NETPOCKET_INLINE Lanes dot(const Modes& a, const Modes& b) {
-  return (lanes::dot(a.e, b.e) + lanes::dot(a.s, b.s)) + lanes::dot(a.h, b.h);
+NETPOCKET_INLINE SimdDouble dot(const Modes& a, const Modes& b) {
+  return (simd::dot(a.e, b.e) + simd::dot(a.s, b.s)) + simd::dot(a.h, b.h);
 }
 
 // A value at the points xi and -xi.
 struct Pair {
-  Lanes plus, minus;
+  SimdDouble plus, minus;
 };
-NETPOCKET_INLINE Pair pair_of(const Lanes& even, const Lanes& odd) { return {even + odd, even - odd}; }
+NETPOCKET_INLINE Pair pair_of(const SimdDouble& even, const SimdDouble& odd) { return {even + odd, even - odd}; }
 
 constexpr double legendre(double xi) { return (3 * xi * xi - 1) / 2; }
 
 // A product of two slopes, and of their bends, along the element.
 struct Product {
-  Lanes ee, es, eh, ss, sh, hh;
+  SimdDouble ee, es, eh, ss, sh, hh;
 
-  NETPOCKET_INLINE Lanes even(const Product& p, double xi) {
+  NETPOCKET_INLINE SimdDouble even(const Product& p, double xi) {
     const double P2 = legendre(xi);
     return (p.ee + broadcast(P2) * p.eh) + (broadcast(xi * xi) * p.ss + broadcast(P2 * P2) * p.hh);
   }
@@ -56,39 +56,40 @@ struct Product {
   }
 };
 NETPOCKET_INLINE Product square(const Modes& a) {
-  const Lanes two = broadcast(2.0);
-  return {lanes::dot(a.e, a.e), two * lanes::dot(a.e, a.s), two * lanes::dot(a.e, a.h),
-          lanes::dot(a.s, a.s), two * lanes::dot(a.s, a.h), lanes::dot(a.h, a.h)};
+  const SimdDouble two = broadcast(2.0);
+  return {simd::dot(a.e, a.e), two * simd::dot(a.e, a.s), two * simd::dot(a.e, a.h),
+          simd::dot(a.s, a.s), two * simd::dot(a.s, a.h), simd::dot(a.h, a.h)};
 }
 NETPOCKET_INLINE Product product(const Modes& a, const Modes& b) {
-  return {
-      lanes::dot(a.e, b.e), lanes::dot(a.e, b.s) + lanes::dot(a.s, b.e), lanes::dot(a.e, b.h) + lanes::dot(a.h, b.e),
-      lanes::dot(a.s, b.s), lanes::dot(a.s, b.h) + lanes::dot(a.h, b.s), lanes::dot(a.h, b.h)};
+  return {simd::dot(a.e, b.e), simd::dot(a.e, b.s) + simd::dot(a.s, b.e), simd::dot(a.e, b.h) + simd::dot(a.h, b.e),
+          simd::dot(a.s, b.s), simd::dot(a.s, b.h) + simd::dot(a.h, b.s), simd::dot(a.h, b.h)};
 }
 
 // Parts of w = a x B, or of its rate.
 struct Twist {
-  Lanes3 es, eh, sh;
+  SimdVector es, eh, sh;
 };
 struct Pair3 {
-  Lanes3 plus, minus;
+  SimdVector plus, minus;
 };
-NETPOCKET_INLINE Lanes3 even(const Twist& t, double xi) { return scaled(2.0, t.es) + scaled(3 * xi * xi + 1, t.sh); }
+NETPOCKET_INLINE SimdVector even(const Twist& t, double xi) {
+  return scaled(2.0, t.es) + scaled(3 * xi * xi + 1, t.sh);
+}
 NETPOCKET_INLINE Pair3 at(const Twist& t, double xi) {
-  const Lanes3 middle = even(t, xi), odd = scaled(6 * xi, t.eh);
+  const SimdVector middle = even(t, xi), odd = scaled(6 * xi, t.eh);
   return {middle + odd, middle - odd};
 }
 
 // Sums over the points of an element: of stresses on a.a (and B.B) times products of 1, xi and P2, and of stresses on
 // w.w times w and the weights of its parts.
 struct Moments {
-  Lanes ee, es, eh, ss, sh, hh;
+  SimdDouble ee, es, eh, ss, sh, hh;
   Twist w;
 };
 NETPOCKET_INLINE void add_slopes(Moments& m, double xi, const Pair& stress) {
   const double P2 = legendre(xi);
-  const Lanes sum = stress.plus + stress.minus, difference = broadcast(xi) * (stress.plus - stress.minus);
-  const Lanes sum_P2 = broadcast(P2) * sum;
+  const SimdDouble sum = stress.plus + stress.minus, difference = broadcast(xi) * (stress.plus - stress.minus);
+  const SimdDouble sum_P2 = broadcast(P2) * sum;
   m.ee = m.ee + sum;
   m.es = m.es + difference;
   m.eh = m.eh + sum_P2;
@@ -96,21 +97,21 @@ NETPOCKET_INLINE void add_slopes(Moments& m, double xi, const Pair& stress) {
   m.sh = m.sh + broadcast(P2) * difference;
   m.hh = m.hh + broadcast(P2) * sum_P2;
 }
-NETPOCKET_INLINE void add_middle_slope(Moments& m, const Lanes& stress) {
+NETPOCKET_INLINE void add_middle_slope(Moments& m, const SimdDouble& stress) {
   m.ee = m.ee + stress;
   m.eh = m.eh - broadcast(0.5) * stress;
   m.hh = m.hh + broadcast(0.25) * stress;
 }
-NETPOCKET_INLINE void add_bends(Moments& m, double xi, const Pair& stress, const Lanes& middle) {
-  const Lanes sum = stress.plus + stress.minus;
+NETPOCKET_INLINE void add_bends(Moments& m, double xi, const Pair& stress, const SimdDouble& middle) {
+  const SimdDouble sum = stress.plus + stress.minus;
   m.ss = m.ss + broadcast(4.0) * (sum + middle);
   m.sh = m.sh + broadcast(12 * xi) * (stress.plus - stress.minus);
   m.hh = m.hh + broadcast(36 * xi * xi) * sum;
 }
-NETPOCKET_INLINE void add_twists(Moments& m, double xi, const Pair& stress, const Lanes& middle_stress, const Pair3& w,
-                                 const Lanes3& middle) {
-  const Lanes3 plus = stress.plus * w.plus, minus = stress.minus * w.minus, at_middle = middle_stress * middle;
-  const Lanes3 sum = plus + minus;
+NETPOCKET_INLINE void add_twists(Moments& m, double xi, const Pair& stress, const SimdDouble& middle_stress,
+                                 const Pair3& w, const SimdVector& middle) {
+  const SimdVector plus = stress.plus * w.plus, minus = stress.minus * w.minus, at_middle = middle_stress * middle;
+  const SimdVector sum = plus + minus;
   m.w.es = m.w.es + scaled(2.0, sum + at_middle);
   m.w.eh = m.w.eh + scaled(6 * xi, plus - minus);
   m.w.sh = m.w.sh + (scaled(3 * xi * xi + 1, sum) + at_middle);
@@ -125,28 +126,28 @@ NETPOCKET_INLINE Modes forces(const Moments& m, const Modes& q) {
 // What the kernel knows of the elements of one part of a block. Stiffnesses are those of the whole element: EA L/2 and
 // EI/(4 L).
 struct Section {
-  Lanes stiffness, compression_stiffness, axial_damping, bending_stiffness, bending_damping;
+  SimdDouble stiffness, compression_stiffness, axial_damping, bending_stiffness, bending_damping;
 };
 
 // Moments of all points. Elastic and viscous ones are kept apart only where something needs them.
 template <bool kApart>
 struct Sums {
   Moments elastic, viscous;
-  Lanes dissipated;
-  Lanes growth;  // L d(energy)/dL at fixed modes; only where kept apart
+  SimdDouble dissipated;
+  SimdDouble growth;  // L d(energy)/dL at fixed modes; only where kept apart
 };
 
 // Stress on a.a, halved, by stretching at one point.
 struct Stress {
-  Lanes elastic, viscous;
+  SimdDouble elastic, viscous;
 };
 template <bool kApart>
-NETPOCKET_INLINE Stress axial_stress(double weight, const Section& section, const Lanes& square, const Lanes& half_rate,
-                                     Sums<kApart>& sums) {
-  const Lanes strain = broadcast(0.5) * (square - broadcast(1.0));
-  const Lanes stiffness =
+NETPOCKET_INLINE Stress axial_stress(double weight, const Section& section, const SimdDouble& square,
+                                     const SimdDouble& half_rate, Sums<kApart>& sums) {
+  const SimdDouble strain = broadcast(0.5) * (square - broadcast(1.0));
+  const SimdDouble stiffness =
       broadcast(weight) * (strain < broadcast(0.0) ? section.compression_stiffness : section.stiffness);
-  const Lanes elastic = stiffness * strain, viscous = (stiffness * section.axial_damping) * half_rate;
+  const SimdDouble elastic = stiffness * strain, viscous = (stiffness * section.axial_damping) * half_rate;
   sums.dissipated = sums.dissipated + viscous * half_rate;
   if constexpr (kApart) sums.growth = sums.growth + broadcast(0.5) * (elastic * strain);
   return {elastic, viscous};
@@ -175,40 +176,40 @@ NETPOCKET_INLINE void add_axial(const Section& section, const Product& square, c
 
 // Three reciprocals from one division, which is by far the slowest operation here.
 struct Three {
-  Lanes first, second, third;
+  SimdDouble first, second, third;
 };
-NETPOCKET_INLINE Three reciprocals(const Lanes& a, const Lanes& b, const Lanes& c) {
-  const Lanes ab = a * b, all = broadcast(1.0) / (ab * c), of_ab = all * c;
+NETPOCKET_INLINE Three reciprocals(const SimdDouble& a, const SimdDouble& b, const SimdDouble& c) {
+  const SimdDouble ab = a * b, all = broadcast(1.0) / (ab * c), of_ab = all * c;
   return {of_ab * b, of_ab * a, all * ab};
 }
 
 // K = L^2 kappa^2 = power G + spread B.B at one point, with its derivatives by a.a.
 struct Curvature {
-  Lanes power, spread, square_slope;  // dK/dG, dK/d(B.B), dK/d(a.a)
-  Lanes value, half_rate;
+  SimdDouble power, spread, square_slope;  // dK/dG, dK/d(B.B), dK/d(a.a)
+  SimdDouble value, half_rate;
 };
-NETPOCKET_INLINE Curvature curvature(const Lanes& A, const Lanes& A0, const Lanes& inverse_A0, const Lanes& half_A_rate,
-                                     const Lanes3& w, const Lanes3& w_rate, const Lanes& BB,
-                                     const Lanes& half_BB_rate) {
-  const Lanes y = (A - A0) * inverse_A0, y_2 = y * y;  // 0 where the cord is not gathered
-  const Lanes inverse_2 = inverse_A0 * inverse_A0, inverse_3 = inverse_2 * inverse_A0;
-  const Lanes G = lanes::dot(w, w);
+NETPOCKET_INLINE Curvature curvature(const SimdDouble& A, const SimdDouble& A0, const SimdDouble& inverse_A0,
+                                     const SimdDouble& half_A_rate, const SimdVector& w, const SimdVector& w_rate,
+                                     const SimdDouble& BB, const SimdDouble& half_BB_rate) {
+  const SimdDouble y = (A - A0) * inverse_A0, y_2 = y * y;  // 0 where the cord is not gathered
+  const SimdDouble inverse_2 = inverse_A0 * inverse_A0, inverse_3 = inverse_2 * inverse_A0;
+  const SimdDouble G = simd::dot(w, w);
   Curvature k;
   k.power = inverse_3 * ((broadcast(1.0) - broadcast(3.0) * y) + broadcast(6.0) * y_2);
   k.spread = broadcast(-6.0) * (inverse_2 * (y_2 * y));
   k.square_slope = (inverse_2 * inverse_2) * (G * (broadcast(12.0) * y - broadcast(3.0))) -
                    broadcast(18.0) * ((inverse_3 * y_2) * BB);
   k.value = k.power * G + k.spread * BB;
-  k.half_rate = (k.power * lanes::dot(w, w_rate) + k.spread * half_BB_rate) + k.square_slope * half_A_rate;
+  k.half_rate = (k.power * simd::dot(w, w_rate) + k.spread * half_BB_rate) + k.square_slope * half_A_rate;
   return k;
 }
 
 template <bool kApart>
 NETPOCKET_INLINE Stress bending_stress(double weight, const Section& section, const Curvature& k,
-                                       const Lanes& inverse_K, Sums<kApart>& sums) {
-  const Lanes elastic = broadcast(2 * weight) * section.bending_stiffness;
-  const Lanes growth = section.bending_damping * (k.half_rate * inverse_K);  // c d(kappa)/dt / kappa
-  const Lanes viscous = elastic * growth;
+                                       const SimdDouble& inverse_K, Sums<kApart>& sums) {
+  const SimdDouble elastic = broadcast(2 * weight) * section.bending_stiffness;
+  const SimdDouble growth = section.bending_damping * (k.half_rate * inverse_K);  // c d(kappa)/dt / kappa
+  const SimdDouble viscous = elastic * growth;
   sums.dissipated = sums.dissipated + viscous * k.half_rate;
   if constexpr (kApart) sums.growth = sums.growth - broadcast(0.5) * (elastic * k.value);
   return {elastic, viscous};
@@ -221,10 +222,11 @@ NETPOCKET_INLINE void add_bending(const Section& section, const Product& square,
   const Pair A = Product::slopes(square, xi), A_rate = Product::slopes(rate, xi);
   const Pair BB = Product::bends(square, xi), BB_rate = Product::bends(rate, xi);
   const Pair3 w = at(twist, xi), w_rate = at(twist_rate, xi);
-  const Lanes A_middle = Product::even(square, 0);
-  const Lanes3 w_middle = even(twist, 0);
-  const Lanes least = broadcast(kSmallestSquare);
-  const Lanes A0_plus = larger(A.plus, least), A0_minus = larger(A.minus, least), A0_middle = larger(A_middle, least);
+  const SimdDouble A_middle = Product::even(square, 0);
+  const SimdVector w_middle = even(twist, 0);
+  const SimdDouble least = broadcast(kSmallestSquare);
+  const SimdDouble A0_plus = larger(A.plus, least), A0_minus = larger(A.minus, least),
+                   A0_middle = larger(A_middle, least);
   const Three inverse_A0 = reciprocals(A0_plus, A0_minus, A0_middle);
   const Curvature plus =
       curvature(A.plus, A0_plus, inverse_A0.first, A_rate.plus, w.plus, w_rate.plus, BB.plus, BB_rate.plus);
@@ -232,13 +234,14 @@ NETPOCKET_INLINE void add_bending(const Section& section, const Product& square,
       curvature(A.minus, A0_minus, inverse_A0.second, A_rate.minus, w.minus, w_rate.minus, BB.minus, BB_rate.minus);
   const Curvature middle = curvature(A_middle, A0_middle, inverse_A0.third, Product::even(rate, 0), w_middle,
                                      even(twist_rate, 0), broadcast(4.0) * square.ss, broadcast(4.0) * rate.ss);
-  const Lanes vanishing = broadcast(kVanishing);
+  const SimdDouble vanishing = broadcast(kVanishing);
   const Three inverse_K = reciprocals(plus.value + vanishing, minus.value + vanishing, middle.value + vanishing);
   const Stress at_plus = bending_stress(kGauss3[2].weight, section, plus, inverse_K.first, sums);
   const Stress at_minus = bending_stress(kGauss3[0].weight, section, minus, inverse_K.second, sums);
   const Stress at_middle = bending_stress(kGauss3[1].weight, section, middle, inverse_K.third, sums);
 
-  const auto add = [&](Moments & m, const Lanes& p, const Lanes& n, const Lanes& c) __attribute__((always_inline)) {
+  const auto add = [&](Moments & m, const SimdDouble& p, const SimdDouble& n, const SimdDouble& c)
+      __attribute__((always_inline)) {
     add_slopes(m, xi, {p * plus.square_slope, n * minus.square_slope});
     add_middle_slope(m, c * middle.square_slope);
     add_bends(m, xi, {p * plus.spread, n * minus.spread}, c * middle.spread);
@@ -253,42 +256,42 @@ NETPOCKET_INLINE void add_bending(const Section& section, const Product& square,
   }
 }
 
-NETPOCKET_INLINE Modes load_modes(const SlotRows& arrays, const ElementBlock& block, const Lanes& inverse_length,
-                                  int part) {
-  const Lanes3 r1 = load_slot(arrays, block, 0, part), r2 = load_slot(arrays, block, 2, part);
-  const Lanes3 g1 = load_slot(arrays, block, 1, part), g2 = load_slot(arrays, block, 3, part);
-  const Lanes3 e = inverse_length * (r2 - r1);
+NETPOCKET_INLINE Modes load_modes(const CoordinateRows& arrays, const ElementBlock& block,
+                                  const SimdDouble& inverse_length, int part) {
+  const SimdVector r1 = load_coordinate(arrays, block, 0, part), r2 = load_coordinate(arrays, block, 2, part);
+  const SimdVector g1 = load_coordinate(arrays, block, 1, part), g2 = load_coordinate(arrays, block, 3, part);
+  const SimdVector e = inverse_length * (r2 - r1);
   return {e, scaled(0.5, g2 - g1), scaled(0.5, g1 + g2) - e};
 }
 
 // Rates of the modes at a material point because material moves through the element and its length changes:
 // xid B/2 - (Ld/L) (1 - P2) e with xid = -2 start_rate - (1 + xi) length_rate, both in element lengths per second.
-NETPOCKET_INLINE Modes flow(const Modes& q, const Lanes& start_rate, const Lanes& length_rate) {
-  const Lanes middle_rate = broadcast(-2.0) * start_rate - length_rate;  // xid in the middle
+NETPOCKET_INLINE Modes flow(const Modes& q, const SimdDouble& start_rate, const SimdDouble& length_rate) {
+  const SimdDouble middle_rate = broadcast(-2.0) * start_rate - length_rate;  // xid in the middle
   return {middle_rate * q.s - length_rate * (q.e + q.h), (broadcast(3.0) * middle_rate) * q.h - length_rate * q.s,
           length_rate * (q.e - scaled(2.0, q.h))};
 }
 
 // Powers (BatchPower) of each lane.
-struct PowerLanes {
-  Lanes dissipated, fed;
+struct PowerSimd {
+  SimdDouble dissipated, fed;
 };
 
 template <bool kVariable>
 NETPOCKET_INLINE void part_forces(const ElementBlock& block, const SectionRows& rows, const double* start_rates,
-                                  int part, const SlotRows& coordinates, const SlotRows& velocities, double* out,
-                                  PowerLanes& power) {
-  const Lanes length = load(block.length, part), inverse_length = load(block.inverse_length, part);
+                                  int part, const CoordinateRows& coordinates, const CoordinateRows& velocities,
+                                  double* out, PowerSimd& power) {
+  const SimdDouble length = load(block.length, part), inverse_length = load(block.inverse_length, part);
   const Modes q = load_modes(coordinates, block, inverse_length, part);
   Modes velocity = load_modes(velocities, block, inverse_length, part);
   Modes flowing{};
-  Lanes length_rate{};
+  SimdDouble length_rate{};
   if constexpr (kVariable) {
     length_rate = load(block.length_rate, part);
     flowing = flow(q, inverse_length * load(start_rates, part), length_rate);
     velocity = {velocity.e + flowing.e, velocity.s + flowing.s, velocity.h + flowing.h};
   }
-  const Lanes half = broadcast(0.5) * length;
+  const SimdDouble half = broadcast(0.5) * length;
   const Section section = {half * load(rows.axial_stiffness, part), half * load(rows.compression_stiffness, part),
                            load(rows.axial_damping, part),
                            broadcast(0.25) * (load(rows.bending_rigidity, part) * inverse_length),
@@ -307,7 +310,7 @@ NETPOCKET_INLINE void part_forces(const ElementBlock& block, const SectionRows& 
   if constexpr (kVariable) {
     // A longer element has a shorter e at fixed coordinates; damping also works on the flow.
     const Modes viscous = forces(sums.viscous, q);
-    const Lanes lengthening = lanes::dot(force.h - force.e, q.e);
+    const SimdDouble lengthening = simd::dot(force.h - force.e, q.e);
     power.fed = power.fed + (dot(viscous, flowing) + length_rate * (lengthening + sums.growth));
     force = {force.e + viscous.e, force.s + viscous.s, force.h + viscous.h};
   }
@@ -319,8 +322,8 @@ NETPOCKET_INLINE void part_forces(const ElementBlock& block, const SectionRows& 
 }  // namespace
 
 BatchPower element_forces(const BatchView& batch, const StartRates* start_rates, int first, int last,
-                          const SlotRows& coordinates, const SlotRows& velocities, double* forces) {
-  PowerLanes power[kParts] = {};
+                          const CoordinateRows& coordinates, const CoordinateRows& velocities, double* forces) {
+  PowerSimd power[kParts] = {};
   for (int i = first; i < last; ++i) {
     const ElementBlock& block = batch.blocks[i];
     const SectionRows& section = batch.sections[block.section];

@@ -11,16 +11,19 @@ struct alignas(64) StartRates {
 };
 
 using Kernel = BatchPower (*)(const BatchView& batch, const StartRates* start_rates, int first, int last,
-                              const SlotRows& coordinates, const SlotRows& velocities, double* forces);
+                              const CoordinateRows& coordinates, const CoordinateRows& velocities, double* forces);
 
 namespace baseline {
-BatchPower element_forces(const BatchView&, const StartRates*, int, int, const SlotRows&, const SlotRows&, double*);
+BatchPower element_forces(const BatchView&, const StartRates*, int, int, const CoordinateRows&, const CoordinateRows&,
+                          double*);
 }
 namespace avx2 {
-BatchPower element_forces(const BatchView&, const StartRates*, int, int, const SlotRows&, const SlotRows&, double*);
+BatchPower element_forces(const BatchView&, const StartRates*, int, int, const CoordinateRows&, const CoordinateRows&,
+                          double*);
 }
 namespace avx512 {
-BatchPower element_forces(const BatchView&, const StartRates*, int, int, const SlotRows&, const SlotRows&, double*);
+BatchPower element_forces(const BatchView&, const StartRates*, int, int, const CoordinateRows&, const CoordinateRows&,
+                          double*);
 }
 
 }  // namespace netpocket::full_kernel

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "engine/ancf/vector.h"
+#include "engine/math/vector.h"
 
 namespace netpocket {
 

@@ -1,7 +1,7 @@
 #pragma once
 // Mass and uniform loads of an element of constant material length. The matrices act on each world component alike.
 
-#include "engine/ancf/vector.h"
+#include "engine/math/vector.h"
 
 namespace netpocket {
 

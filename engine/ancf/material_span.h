@@ -9,7 +9,7 @@
 // without strain would accelerate. The full form is that of arbitrary Lagrangian-Eulerian ANCF cables, Hong & Ren
 // (2011), Multibody System Dynamics 26(1).
 
-#include "engine/ancf/vector.h"
+#include "engine/math/vector.h"
 
 namespace netpocket {
 

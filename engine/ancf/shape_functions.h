@@ -4,7 +4,7 @@
 // p the material coordinate. Gerstmayr & Shabana (2006), doi:10.1007/s11071-006-1856-1; Tang et al. (2023) Eq. 3, whose
 // printed S3 lost its sign.
 
-#include "engine/ancf/vector.h"
+#include "engine/math/vector.h"
 
 namespace netpocket {
 

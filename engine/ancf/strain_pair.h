@@ -24,9 +24,9 @@ inline constexpr double kMovedMass = 0.2;       // part of the middle node's mas
 
 // Strain that an element of a pair reacts to: N = EA kOwn eps_own + EA kMate eps_mate.
 inline constexpr double kOwnShare = (1 + kPairVariation) / 2;
-inline constexpr double kMateShare = (1 - kPairVariation) / 2;
+inline constexpr double kPartnerShare = (1 - kPairVariation) / 2;
 
-// Moves mass, or weights of a load, from an element's end at its mate to its other end.
+// Moves mass, or weights of a load, from an element's end at its strain partner to its other end.
 template <typename Weights>
 void move_from_middle(Weights& weights, bool middle_is_second) {
   const int middle = middle_is_second ? 2 : 0;  // as the corners of ElementCoordinates
@@ -35,6 +35,8 @@ void move_from_middle(Weights& weights, bool middle_is_second) {
   weights[2 - middle] += moved;
 }
 
-inline constexpr double paired_strain(double own, double mate) { return kOwnShare * own + kMateShare * mate; }
+inline constexpr double paired_strain(double own, double strain_partner) {
+  return kOwnShare * own + kPartnerShare * strain_partner;
+}
 
 }  // namespace netpocket

@@ -40,8 +40,8 @@ std::vector<Side> sorted_sides(const std::vector<Triangle>& triangles) {
 }
 
 void join(MeshEdges& edges, const Side& a, const Side& b) {
-  edges.mates[a.side.triangle][a.side.edge] = b.number();
-  edges.mates[b.side.triangle][b.side.edge] = a.number();
+  edges.strain_partners[a.side.triangle][a.side.edge] = b.number();
+  edges.strain_partners[b.side.triangle][b.side.edge] = a.number();
 }
 
 constexpr double kSameAngle = 1e-7;  // rad
@@ -86,7 +86,7 @@ void join_wedges(const MeshData& mesh, std::span<const Side> sides, MeshEdges& e
     const bool second_round = i >= order.size();
     if (!sides[at].forward) {
       if (!second_round) begun.push_back(at);
-    } else if (!begun.empty() && edges.mates[sides[at].side.triangle][sides[at].side.edge] < 0) {
+    } else if (!begun.empty() && edges.strain_partners[sides[at].side.triangle][sides[at].side.edge] < 0) {
       join(edges, sides[begun.back()], sides[at]);
       begun.pop_back();
     }
@@ -115,7 +115,7 @@ class Groups {
 
 MeshEdges find_edges(const MeshData& mesh) {
   MeshEdges edges;
-  edges.mates.assign(mesh.triangles.size(), {-1, -1, -1});
+  edges.strain_partners.assign(mesh.triangles.size(), {-1, -1, -1});
   const std::vector<Side> sides = sorted_sides(mesh.triangles);
   for (std::size_t first = 0, next = 0; first < sides.size(); first = next) {
     while (next < sides.size() && sides[next].from == sides[first].from && sides[next].to == sides[first].to) ++next;
@@ -141,13 +141,13 @@ Vector3d middle(const MeshData& mesh, const TriangleSide& side) {
 }
 
 std::vector<std::int32_t> part_numbers(const MeshEdges& edges) {
-  Groups groups(edges.mates.size());
-  for (std::size_t t = 0; t < edges.mates.size(); ++t) {
-    for (const std::int32_t mate : edges.mates[t]) {
-      if (mate >= 0) groups.unite(static_cast<std::int32_t>(t), mate / 3);
+  Groups groups(edges.strain_partners.size());
+  for (std::size_t t = 0; t < edges.strain_partners.size(); ++t) {
+    for (const std::int32_t strain_partner : edges.strain_partners[t]) {
+      if (strain_partner >= 0) groups.unite(static_cast<std::int32_t>(t), strain_partner / 3);
     }
   }
-  std::vector<std::int32_t> numbers(edges.mates.size(), -1);
+  std::vector<std::int32_t> numbers(edges.strain_partners.size(), -1);
   std::int32_t count = 0;
   for (std::size_t t = 0; t < numbers.size(); ++t) {
     const std::int32_t first = groups.first(static_cast<std::int32_t>(t));
@@ -163,11 +163,12 @@ void split_vertices(MeshData& mesh, const MeshEdges& edges) {
   const auto next = [](std::int32_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; };
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     for (int edge = 0; edge < 3; ++edge) {
-      const std::int32_t here = static_cast<std::int32_t>(3 * t) + edge, mate = edges.mates[t][edge];
-      if (mate < here) continue;
-      const bool opposite = vertex(here) == vertex(next(mate));
-      corners.unite(here, opposite ? next(mate) : mate);
-      corners.unite(next(here), opposite ? mate : next(mate));
+      const std::int32_t here = static_cast<std::int32_t>(3 * t) + edge,
+                         strain_partner = edges.strain_partners[t][edge];
+      if (strain_partner < here) continue;
+      const bool opposite = vertex(here) == vertex(next(strain_partner));
+      corners.unite(here, opposite ? next(strain_partner) : strain_partner);
+      corners.unite(next(here), opposite ? strain_partner : next(strain_partner));
     }
   }
   // The first set of corners keeps the vertex, any other gets a copy.

@@ -16,7 +16,7 @@ struct TriangleSide {
 struct MeshEdges {
   // By triangle and edge: the triangle that goes on beyond it, as 3 * triangle + edge; -1: none. Where four triangles
   // or more meet, each is joined with the one that bounds the same wedge of the solid: parts that touch stay apart.
-  std::vector<std::array<std::int32_t, 3>> mates;
+  std::vector<std::array<std::int32_t, 3>> strain_partners;
   // One side of each edge, by the order of the vertices.
   std::vector<TriangleSide> open;    // of a single triangle
   std::vector<TriangleSide> forked;  // of three or more that bound no wedges

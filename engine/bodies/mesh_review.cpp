@@ -136,7 +136,8 @@ class Reviewer {
       part.area += area_vector(mesh, triangle).norm() / 2;
       // About a point of the part, so that its place costs no digits.
       part.volume += (mesh.vertices[triangle[0]] - part.place).dot(area_vector(mesh, triangle)) / 6;
-      for (const std::int32_t mate : review_.edges.mates[t]) part.closed = part.closed && mate >= 0;
+      for (const std::int32_t strain_partner : review_.edges.strain_partners[t])
+        part.closed = part.closed && strain_partner >= 0;
     }
     for (MeshPart& part : parts) part.two_sided = true;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {

@@ -62,7 +62,8 @@ std::size_t thicken_open_parts(MeshData& mesh, double thickness) {
   const std::vector<std::int32_t> part_of = part_numbers(edges);
   std::vector<bool> is_open(mesh.triangles.size());  // by part
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (const std::int32_t mate : edges.mates[t]) is_open[part_of[t]] = is_open[part_of[t]] || mate < 0;
+    for (const std::int32_t strain_partner : edges.strain_partners[t])
+      is_open[part_of[t]] = is_open[part_of[t]] || strain_partner < 0;
   }
   const std::vector<Vector3d> shifts = unit_shifts(mesh);
   std::vector<std::int32_t> behind(mesh.vertices.size(), -1);  // by vertex: its twin on the other side
@@ -81,7 +82,7 @@ std::size_t thicken_open_parts(MeshData& mesh, double thickness) {
     const Triangle front = mesh.triangles[i];
     mesh.triangles.push_back({twin(front[0]), twin(front[2]), twin(front[1])});
     for (int edge = 0; edge < 3; ++edge) {
-      if (edges.mates[i][edge] >= 0) continue;
+      if (edges.strain_partners[i][edge] >= 0) continue;
       const std::int32_t a = front[edge], b = front[(edge + 1) % 3];
       mesh.triangles.push_back({b, a, twin(a)});
       mesh.triangles.push_back({b, twin(a), twin(b)});

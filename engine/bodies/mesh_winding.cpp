@@ -35,14 +35,14 @@ class PartWalk {
       const std::int32_t t = part.triangles[i];
       if (state_[t] == State::turned) part.turned.push_back(t);
       for (int edge = 0; edge < 3; ++edge) {
-        const std::int32_t mate = edges_.mates[t][edge];
-        if (mate < 0) continue;
-        const bool same = runs_along(t, edge, mate);  // along the edge: they face opposite ways
+        const std::int32_t strain_partner = edges_.strain_partners[t][edge];
+        if (strain_partner < 0) continue;
+        const bool same = runs_along(t, edge, strain_partner);  // along the edge: they face opposite ways
         const State wanted = (state_[t] == State::turned) != same ? State::turned : State::like_first;
-        State& state = state_[mate / 3];
+        State& state = state_[strain_partner / 3];
         if (state == State::unseen) {
           state = wanted;
-          part.triangles.push_back(mate / 3);
+          part.triangles.push_back(strain_partner / 3);
         } else if (state != wanted) {
           part.orientable = false;
         }
@@ -54,8 +54,8 @@ class PartWalk {
  private:
   enum class State : char { unseen, like_first, turned };
 
-  bool runs_along(std::int32_t t, int edge, std::int32_t mate) const {
-    return mesh_.triangles[t][edge] == mesh_.triangles[mate / 3][mate % 3];
+  bool runs_along(std::int32_t t, int edge, std::int32_t strain_partner) const {
+    return mesh_.triangles[t][edge] == mesh_.triangles[strain_partner / 3][strain_partner % 3];
   }
 
   const MeshData& mesh_;

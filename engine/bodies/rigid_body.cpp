@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "engine/bodies/rotation.h"
+#include "engine/math/rotation.h"
 
 namespace netpocket {
 namespace {

@@ -15,7 +15,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include "engine/bodies/symmetric_algebra.h"
+#include "engine/math/symmetric_algebra.h"
 
 namespace netpocket {
 

@@ -8,7 +8,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "engine/bodies/symmetric_algebra.h"
+#include "engine/math/symmetric_algebra.h"
 
 namespace netpocket {
 

@@ -5,9 +5,9 @@
 #include <limits>
 #include <numbers>
 
-#include "engine/bodies/symmetric_algebra.h"
 #include "engine/bodies/triangle_mesh.h"
 #include "engine/math/elementary.h"
+#include "engine/math/symmetric_algebra.h"
 
 namespace netpocket {
 namespace {

@@ -141,8 +141,8 @@ void TriangleMesh::find_normals(const MeshEdges& edges) {
   edge_normals_.resize(data_.triangles.size());
   for (std::size_t t = 0; t < data_.triangles.size(); ++t) {
     for (int edge = 0; edge < 3; ++edge) {
-      const std::int32_t mate = edges.mates[t][edge];
-      edge_normals_[t][edge] = unit_or_zero(face_normals_[t] + face_normals_[mate / 3]);
+      const std::int32_t strain_partner = edges.strain_partners[t][edge];
+      edge_normals_[t][edge] = unit_or_zero(face_normals_[t] + face_normals_[strain_partner / 3]);
     }
   }
 }

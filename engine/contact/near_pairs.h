@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/contact/divided_loop.h"
+#include "engine/base/divided_loop.h"
 
 namespace netpocket {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/bodies/symmetric_algebra.h"
 #include "engine/bodies/triangle_mesh.h"
+#include "engine/math/symmetric_algebra.h"
 
 namespace netpocket {
 namespace {

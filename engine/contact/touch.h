@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "engine/bodies/symmetric_algebra.h"
+#include "engine/math/symmetric_algebra.h"
 
 namespace netpocket {
 

@@ -23,8 +23,8 @@ std::int32_t Model::add_element(const ModelElement& element) {
 }
 
 void Model::pair(std::int32_t first, std::int32_t second) {
-  elements[first].mate = second;
-  elements[second].mate = first;
+  elements[first].strain_partner = second;
+  elements[second].strain_partner = first;
 }
 
 std::int32_t Model::add_thread(const std::string& name) {
@@ -38,7 +38,7 @@ std::int32_t Model::add_body(const ModelBody& body) {
 }
 
 std::vector<std::int32_t> Model::add_straight_cable(std::int32_t begin, std::int32_t end, int count,
-                                                    std::int32_t material, ElementKind kind, std::int32_t thread) {
+                                                    std::int32_t material, std::int32_t group, std::int32_t thread) {
   const Eigen::Vector3d from = nodes[begin].position, to = nodes[end].position;
   const double length = (to - from).norm();
   const Eigen::Vector3d direction = (to - from) / length;
@@ -48,7 +48,7 @@ std::vector<std::int32_t> Model::add_straight_cable(std::int32_t begin, std::int
   for (int i = 1; i <= count; ++i) {
     const std::int32_t next = i == count ? end : add_node(from + (to - from) * (static_cast<double>(i) / count));
     const std::int32_t next_gradient = add_gradient(next, direction);
-    chain.push_back(add_element({node, gradient, next, next_gradient, length / count, material, kind, thread}));
+    chain.push_back(add_element({node, gradient, next, next_gradient, length / count, material, group, thread}));
     node = next;
     gradient = next_gradient;
   }
@@ -66,13 +66,15 @@ Structure Model::structure() const {
   Structure result;
   result.node_count = static_cast<std::int32_t>(nodes.size());
   result.gradient_count = static_cast<std::int32_t>(gradients.size());
+  result.element_groups = element_groups;
+  result.node_groups = node_groups;
   result.threads = threads;
   result.rope_count = static_cast<std::int32_t>(ropes.size());
   result.elements.reserve(elements.size());
   for (const ModelElement& element : elements) {
     result.elements.push_back({.node = {element.node1, element.node2},
                                .gradient = {element.gradient1, element.gradient2},
-                               .kind = element.kind,
+                               .group = element.group,
                                .thread = element.thread,
                                .length = element.length,
                                .radius = materials[element.material].radius});

@@ -17,8 +17,8 @@
 
 #include "engine/ancf/cable_section.h"
 #include "engine/bodies/shape.h"
-#include "engine/recording/snapshot.h"
-#include "engine/recording/structure.h"
+#include "engine/state/snapshot.h"
+#include "engine/state/structure.h"
 
 namespace netpocket {
 
@@ -53,18 +53,19 @@ struct CableMaterial {
   double poisson_ratio = 0;
   // Inflated tube: moment beyond which its wall wrinkles (ancf/wrinkling.h), N m. None by default; a run can change it.
   double wrinkling_moment = std::numeric_limits<double>::infinity();
+  bool is_tube = false;  // whether there is a wall that may wrinkle, then or later
 };
 
 struct ModelElement {
   std::int32_t node1, gradient1, node2, gradient2;
   double length;  // m, material length
   std::int32_t material;
-  ElementKind kind = ElementKind::cable;
+  std::int32_t group = 0;  // index into Model::element_groups
   std::int32_t thread = 0;
   // The next or previous element of its thread with which it shares its axial strain (ancf/strain_pair.h): of the same
-  // length and material, whose compression is full, and with this one as its mate; -1: none. The full evaluation has
-  // none.
-  std::int32_t mate = -1;
+  // length and material, whose compression is full, and with this one as its strain partner; -1: none. The full
+  // evaluation has none.
+  std::int32_t strain_partner = -1;
 };
 
 struct ModelBody {
@@ -114,7 +115,7 @@ struct VariableRope {
   std::vector<std::int32_t> elements;             // indices into Model::elements, from one end to the other
   std::function<RopeMotion(double time)> motion;  // pure function of time
   double share_at_start = 0.5;                    // part of the winding done by the retractor at the first node
-  std::int32_t alike = -1;                        // an earlier rope with the same motion, if known: need not be asked
+  std::int32_t same_motion_as = -1;               // an earlier rope with the same motion, if known: need not be asked
 };
 
 struct Model {
@@ -122,6 +123,8 @@ struct Model {
   std::vector<ModelGradient> gradients;
   std::vector<CableMaterial> materials;
   std::vector<ModelElement> elements;
+  std::vector<ElementGroup> element_groups = {{"cables", "a cable"}};
+  std::vector<NodeGroup> node_groups;
   std::vector<std::string> threads = {"cable"};
   std::vector<ModelBody> bodies;
   std::vector<Hinge> hinges;
@@ -133,7 +136,7 @@ struct Model {
   std::int32_t add_gradient(std::int32_t node, const Eigen::Vector3d& value);
   std::int32_t add_material(const CableMaterial& material);
   std::int32_t add_element(const ModelElement& element);
-  // Makes two elements each other's mate.
+  // Makes two elements each other's strain partner.
   void pair(std::int32_t first, std::int32_t second);
   std::int32_t add_thread(const std::string& name);
   std::int32_t add_body(const ModelBody& body);
@@ -141,7 +144,7 @@ struct Model {
   // A straight chain of `count` elements from the node `begin` to the node `end`, at its natural length, one gradient
   // per node (the first and the last are new gradients of the end nodes). Returns the indices of its elements.
   std::vector<std::int32_t> add_straight_cable(std::int32_t begin, std::int32_t end, int count, std::int32_t material,
-                                               ElementKind kind = ElementKind::cable, std::int32_t thread = 0);
+                                               std::int32_t group = 0, std::int32_t thread = 0);
 
   void fix_node(std::int32_t node) { nodes[node].support = Support::fixed; }
   void fix_gradient(std::int32_t gradient) { gradients[gradient].support = Support::fixed; }

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/recording/checkpoint.h"
 #include "engine/recording/hdf5_input.h"
 #include "engine/recording/hdf5_output.h"
+#include "engine/state/checkpoint.h"
 
 namespace netpocket {
 

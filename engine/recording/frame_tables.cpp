@@ -24,7 +24,7 @@ FrameTables::FrameTables(hid_t file, const Structure& structure, ChunkCodec& cod
   create_large_tables(structure, codec);
   create_small_tables(structure, codec);
   create_contact_tables(codec);
-  name_channels();
+  describe_channels(*structure.channels);
 }
 
 void FrameTables::create_large_tables(const Structure& structure, ChunkCodec& codec) {
@@ -58,7 +58,11 @@ void FrameTables::create_small_tables(const Structure& structure, ChunkCodec& co
   create(contact_range_, frames_, integer,
          {"contact_range", "", "first row in /contacts and number of rows", {2}, rows}, codec);
   create(channels_, frames_, real,
-         {"channels", "see units", "scalars; attributes names and units name the columns", {kChannelCount}, rows},
+         {"channels",
+          "see units",
+          "scalars; attributes names, units, kinds and meanings say what the columns are",
+          {structure.channels->size()},
+          rows},
          codec);
 }
 
@@ -72,14 +76,18 @@ void FrameTables::create_contact_tables(ChunkCodec& codec) {
   create(contact_body_, contacts_, H5T_NATIVE_INT32, {"body", "", "row of structure/body_*", {}, rows}, codec);
 }
 
-void FrameTables::name_channels() {
-  std::vector<std::string_view> names, units;
-  for (const ChannelInfo& channel : kChannels) {
+void FrameTables::describe_channels(const ChannelList& channels) {
+  std::vector<std::string> names, units, kinds, meanings;
+  for (const ChannelInfo& channel : channels) {
     names.push_back(channel.name);
     units.push_back(channel.unit);
+    kinds.emplace_back(to_string(channel.kind));
+    meanings.push_back(channel.meaning);
   }
   write_attribute(channels_->dataset(), "names", fmt::format("{}", fmt::join(names, ",")));
   write_attribute(channels_->dataset(), "units", fmt::format("{}", fmt::join(units, ",")));
+  write_attribute(channels_->dataset(), "kinds", fmt::format("{}", fmt::join(kinds, ",")));
+  write_attribute(channels_->dataset(), "meanings", fmt::format("{}", fmt::join(meanings, "\n")));
 }
 
 template <typename Matrix>
@@ -131,8 +139,8 @@ void FrameTables::append(const Snapshot& snapshot) {
   append_bodies(snapshot.bodies);
   append_contacts(snapshot.contacts);
   step_->append(std::span<const std::int64_t>(&snapshot.step, 1));
-  auto channels = snapshot.channels;
-  channels[static_cast<std::size_t>(Channel::time)] = snapshot.time;
+  std::vector<double> channels = snapshot.channels;
+  channels[snapshot.channel_list->find(Channel::time).value()] = snapshot.time;
   channels_->append(std::span<const double>(channels));
 }
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "engine/recording/hdf5_output.h"
-#include "engine/recording/snapshot.h"
-#include "engine/recording/structure.h"
+#include "engine/state/snapshot.h"
+#include "engine/state/structure.h"
 
 namespace netpocket {
 
@@ -25,7 +25,7 @@ class FrameTables {
   void create_large_tables(const Structure& structure, ChunkCodec& codec);
   void create_small_tables(const Structure& structure, ChunkCodec& codec);
   void create_contact_tables(ChunkCodec& codec);
-  void name_channels();
+  void describe_channels(const ChannelList& channels);
   void append_bodies(const std::vector<BodyState>& bodies);
   void append_contacts(const std::vector<ContactPoint>& contacts);
   template <typename Matrix>

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <limits>
 
-#include "engine/files/destination.h"
+#include "engine/base/destination.h"
 
 namespace netpocket {
 
@@ -76,6 +76,10 @@ bool InputFile::has(const std::string& path) const {
     if (H5Lget_info(file_.get(), part.c_str(), &link, H5P_DEFAULT) < 0 || link.type != H5L_TYPE_HARD) return false;
     if (end == std::string::npos) return true;
   }
+}
+
+bool InputFile::has_attribute(const std::string& path, const char* name) const {
+  return H5Aexists_by_name(id(), path.c_str(), name, H5P_DEFAULT) > 0;
 }
 
 std::string InputFile::read_text_attribute(const std::string& path, const char* name) const {

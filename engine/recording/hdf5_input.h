@@ -25,6 +25,7 @@ class InputFile {
   bool has(const std::string& path) const;
 
   // Attributes of the object at `path` ("/" for the file itself).
+  bool has_attribute(const std::string& path, const char* name) const;
   std::string read_text_attribute(const std::string& path, const char* name) const;
   double read_number_attribute(const std::string& path, const char* name) const;
   // An integer from 0 to 2^31 - 1.

@@ -6,7 +6,7 @@
 
 #include "engine/recording/hdf5_input.h"
 #include "engine/recording/hdf5_output.h"
-#include "engine/recording/run_status.h"
+#include "engine/state/run_status.h"
 
 namespace netpocket {
 

@@ -11,7 +11,7 @@
 #include <tuple>
 #include <utility>
 
-#include "engine/files/folder.h"
+#include "engine/base/folder.h"
 
 namespace netpocket {
 

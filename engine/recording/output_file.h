@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "engine/files/destination.h"
+#include "engine/base/destination.h"
 
 namespace netpocket {
 

@@ -136,7 +136,10 @@ void Recorder::Impl::check_sizes(const Snapshot& snapshot) const {
                     snapshot.gradients.cols() == structure.gradient_count && snapshot.tension.size() == elements &&
                     snapshot.strain.size() == elements &&
                     snapshot.rope_element_length.size() == static_cast<std::size_t>(structure.rope_count) &&
-                    snapshot.bodies.size() == structure.bodies.size();
+                    snapshot.bodies.size() == structure.bodies.size() &&
+                    (snapshot.channel_list == structure.channels ||
+                     std::ranges::equal(*snapshot.channel_list, *structure.channels)) &&
+                    snapshot.channels.size() == structure.channels->size();
   if (!fits) throw RecordingError(fmt::format("cannot write \"{}\": a frame does not fit the model", output.path()));
 }
 
@@ -165,7 +168,8 @@ void Recorder::Impl::check_numbers(const Snapshot& snapshot) const {
   for (const ContactPoint& contact : snapshot.contacts) {
     storable = storable && is_storable(contact.position) && is_storable(contact.force);
   }
-  const Eigen::Map<const Eigen::VectorXd> channels(snapshot.channels.data(), kChannelCount);
+  const Eigen::Map<const Eigen::VectorXd> channels(snapshot.channels.data(),
+                                                   static_cast<Eigen::Index>(snapshot.channels.size()));
   if (!storable || !channels.allFinite()) {
     throw RecordingError(fmt::format("cannot write \"{}\": the frame at t = {} s holds numbers that are not finite",
                                      output.path(), snapshot.time));

@@ -7,11 +7,11 @@
 #include <memory>
 #include <string>
 
-#include "engine/files/file_error.h"
-#include "engine/recording/checkpoint.h"
-#include "engine/recording/run_status.h"
-#include "engine/recording/snapshot.h"
-#include "engine/recording/structure.h"
+#include "engine/base/file_error.h"
+#include "engine/state/checkpoint.h"
+#include "engine/state/run_status.h"
+#include "engine/state/snapshot.h"
+#include "engine/state/structure.h"
 
 namespace netpocket {
 

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <sstream>
+#include <stdexcept>
 
 #include "engine/recording/checkpoint_io.h"
 #include "engine/recording/hdf5_input.h"
@@ -25,7 +25,8 @@ std::string read_text(const InputFile& file, const std::string& path) {
   return texts[0];
 }
 
-void check_format(const InputFile& file) {
+// Returns the version of the format.
+std::int32_t check_format(const InputFile& file) {
   std::string format;
   try {
     format = file.read_text_attribute("/", "format");
@@ -34,9 +35,11 @@ void check_format(const InputFile& file) {
   }
   if (format != layout::kFormat) throw Hdf5Error("it is not a Netpocket recording");
   const std::int32_t version = file.read_count_attribute("/", "format_version");
-  if (version != layout::kVersion) {
-    throw Hdf5Error(fmt::format("its format is version {}, this program reads version {}", version, layout::kVersion));
+  if (version != layout::kVersion && version != layout::kVersionWithKinds) {
+    throw Hdf5Error(fmt::format("its format is version {}, this program reads versions {} and {}", version,
+                                layout::kVersionWithKinds, layout::kVersion));
   }
+  return version;
 }
 
 RunOrigin read_origin(const InputFile& file) {
@@ -53,22 +56,44 @@ RunOrigin read_origin(const InputFile& file) {
   return origin;
 }
 
-// Column of each channel, by the names in the file; none: it was not recorded.
-std::array<std::optional<std::size_t>, kChannelCount> find_columns(const InputFile& file, std::size_t& column_count) {
-  std::istringstream names(file.read_text_attribute("/frames/channels", "names"));
-  std::vector<std::string> columns;
-  for (std::string name; std::getline(names, name, ',');) columns.push_back(name);
-  column_count = columns.size();
-  std::array<std::optional<std::size_t>, kChannelCount> found{};
-  for (std::size_t c = 0; c < kChannelCount; ++c) {
-    const auto column = std::find(columns.begin(), columns.end(), kChannels[c].name);
-    if (column != columns.end()) {
-      found[c] = static_cast<std::size_t>(column - columns.begin());
-    } else if (kChannels[c].required) {
-      throw Hdf5Error(fmt::format("channel {} is missing", kChannels[c].name));
-    }
+std::vector<std::string> divided(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
+  return parts;
+}
+
+// Earlier versions of this program stored names and units only.
+std::vector<std::string> read_optional_list(const InputFile& file, const char* name, char separator) {
+  constexpr const char* kChannels = "/frames/channels";
+  if (!file.has_attribute(kChannels, name)) return {};
+  return divided(file.read_text_attribute(kChannels, name), separator);
+}
+
+// What this program knows of a channel whose file says no more than its name.
+ChannelInfo known_info(const std::string& name) {
+  const auto index = known_channels()->find(name);
+  return index ? (*known_channels())[*index] : ChannelInfo{name, "", "", ChannelKind::value};
+}
+
+std::shared_ptr<const ChannelList> read_channel_list(const InputFile& file) {
+  const auto names = divided(file.read_text_attribute("/frames/channels", "names"), ',');
+  const auto units = read_optional_list(file, "units", ',');
+  const auto kinds = read_optional_list(file, "kinds", ',');
+  const auto meanings = read_optional_list(file, "meanings", '\n');
+  std::vector<ChannelInfo> channels;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    ChannelInfo info = known_info(names[i]);
+    if (i < units.size()) info.unit = units[i];
+    if (i < kinds.size()) info.kind = channel_kind(kinds[i]).value_or(info.kind);
+    if (i < meanings.size()) info.meaning = meanings[i];
+    channels.push_back(std::move(info));
   }
-  return found;
+  try {
+    return std::make_shared<const ChannelList>(std::move(channels));
+  } catch (const std::invalid_argument& error) {
+    throw Hdf5Error(error.what());
+  }
 }
 
 BodyState body_state(const double* n) {
@@ -142,17 +167,20 @@ struct Recording::Impl {
   Outcome outcome;
   std::optional<Tables> tables;
   std::optional<CheckpointReader> checkpoints;
-  std::array<std::vector<double>, kChannelCount> channels;
-  std::array<bool, kChannelCount> has_channel{};
+  const std::vector<double>& times() const { return channels[channel_list->find(Channel::time).value()]; }
+  std::shared_ptr<const ChannelList> channel_list;
+  std::vector<std::vector<double>> channels;  // by channel_list
+  std::vector<double> not_recorded;           // by frame: NaN
 };
 
 void Recording::Impl::open() {
-  check_format(file);
+  const std::int32_t version = check_format(file);
   origin = read_origin(file);
-  structure = read_structure(file);
+  structure = read_structure(file, version);
   read_channels();
+  structure.channels = channel_list;
   tables.emplace(file, structure);
-  tables->check_rows(channels[0].size());
+  tables->check_rows(times().size());
   checkpoints.emplace(file);
   complete_outcome();
 }
@@ -160,26 +188,25 @@ void Recording::Impl::open() {
 // The channels come before the other tables: while another program adds frames, those are complete up to the last row
 // of channels. Rows that a killed program announced but did not write have a time of NaN.
 void Recording::Impl::read_channels() {
-  std::size_t columns = 0;
-  const auto column_of = find_columns(file, columns);
+  channel_list = read_channel_list(file);
+  const std::size_t columns = channel_list->size();
   const InputTable table(file, "/frames/channels", H5T_FLOAT, {columns});
   const auto values = table.read_announced();
   const std::size_t rows = values.size() / columns;
-  const std::size_t time = column_of[static_cast<std::size_t>(Channel::time)].value();
+  const std::size_t time = channel_list->find(Channel::time).value();
   std::size_t frames = 0;
   while (frames < rows && std::isfinite(values[frames * columns + time])) ++frames;
-  for (std::size_t c = 0; c < kChannelCount; ++c) {
-    has_channel[c] = column_of[c].has_value();
-    channels[c].resize(frames, std::numeric_limits<double>::quiet_NaN());
-    if (!has_channel[c]) continue;
-    for (std::size_t i = 0; i < frames; ++i) channels[c][i] = values[i * columns + *column_of[c]];
+  channels.resize(columns);
+  for (std::size_t c = 0; c < columns; ++c) {
+    channels[c].resize(frames);
+    for (std::size_t i = 0; i < frames; ++i) channels[c][i] = values[i * columns + c];
   }
-  const auto& times = channels[static_cast<std::size_t>(Channel::time)];
-  if (!std::is_sorted(times.begin(), times.end())) throw Hdf5Error("its frames are out of order");
+  not_recorded.assign(frames, std::numeric_limits<double>::quiet_NaN());
+  if (!std::is_sorted(times().begin(), times().end())) throw Hdf5Error("its frames are out of order");
 }
 
 void Recording::Impl::complete_outcome() {
-  const auto& times = channels[static_cast<std::size_t>(Channel::time)];
+  const std::vector<double>& times = this->times();
   if (auto stored = read_outcome(file)) {
     outcome = std::move(*stored);
     return;
@@ -193,8 +220,10 @@ void Recording::Impl::complete_outcome() {
 
 Snapshot Recording::Impl::read_frame(std::size_t index) const {
   Snapshot snapshot;
-  for (std::size_t c = 0; c < kChannelCount; ++c) snapshot.channels[c] = channels[c][index];
-  snapshot.time = snapshot.channel(Channel::time);
+  snapshot.channel_list = channel_list;
+  snapshot.channels.resize(channels.size());
+  for (std::size_t c = 0; c < channels.size(); ++c) snapshot.channels[c] = channels[c][index];
+  snapshot.time = times()[index];
   snapshot.step = tables->step.read<std::int64_t>(index, 1)[0];
   read_nodes(index, snapshot);
   if (tables->rope.is_open()) snapshot.rope_element_length = tables->rope.read<double>(index, 1);
@@ -270,13 +299,18 @@ const Structure& Recording::structure() const { return impl_->structure; }
 const RunStatus& Recording::status() const { return impl_->outcome.status; }
 const RunStatistics& Recording::statistics() const { return impl_->outcome.statistics; }
 std::size_t Recording::frame_count() const { return times().size(); }
-const std::vector<double>& Recording::times() const { return channel(Channel::time); }
+const std::vector<double>& Recording::times() const { return impl_->times(); }
+
+const std::shared_ptr<const ChannelList>& Recording::channels() const { return impl_->channel_list; }
+
+const std::vector<double>& Recording::channel(std::size_t index) const { return impl_->channels.at(index); }
 
 const std::vector<double>& Recording::channel(Channel c) const {
-  return impl_->channels.at(static_cast<std::size_t>(c));
+  const auto index = impl_->channel_list->find(c);
+  return index ? impl_->channels[*index] : impl_->not_recorded;
 }
 
-bool Recording::has_channel(Channel c) const { return impl_->has_channel.at(static_cast<std::size_t>(c)); }
+bool Recording::has_channel(Channel c) const { return impl_->channel_list->has(c); }
 
 // What `read` returns for a frame that exists.
 template <typename Read>

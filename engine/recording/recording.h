@@ -27,8 +27,11 @@ class Recording {
   const RunStatistics& statistics() const;
 
   std::size_t frame_count() const;
-  const std::vector<double>& times() const;             // s, by frame
-  const std::vector<double>& channel(Channel c) const;  // by frame; NaN where the file does not have it
+  const std::vector<double>& times() const;  // s, by frame
+  // Those that the file has, in its order; also that of its frames' values.
+  const std::shared_ptr<const ChannelList>& channels() const;
+  const std::vector<double>& channel(std::size_t index) const;  // by frame
+  const std::vector<double>& channel(Channel c) const;          // by frame; NaN where the file does not have it
   bool has_channel(Channel c) const;
   Snapshot frame(std::size_t index) const;
   // The contact points of a frame alone: much quicker than the whole of it.

@@ -7,6 +7,8 @@
 
 #include "engine/bodies/triangle_mesh.h"
 #include "engine/recording/hdf5_output.h"
+#include "engine/recording/layout.h"
+#include "engine/state/pocket_groups.h"
 
 namespace netpocket {
 
@@ -88,13 +90,12 @@ void write_meshes(hid_t group, const std::vector<MeshPointer>& meshes, ChunkCode
 }
 
 void write_elements(hid_t group, const std::vector<StructureElement>& elements, ChunkCodec& codec) {
-  std::vector<std::int32_t> nodes, gradients, threads, ropes;
-  std::vector<std::uint8_t> kinds;
+  std::vector<std::int32_t> nodes, gradients, groups, threads, ropes;
   std::vector<double> lengths, radii;
   for (const StructureElement& e : elements) {
     nodes.insert(nodes.end(), {e.node[0], e.node[1]});
     gradients.insert(gradients.end(), {e.gradient[0], e.gradient[1]});
-    kinds.push_back(static_cast<std::uint8_t>(e.kind));
+    groups.push_back(e.group);
     threads.push_back(e.thread);
     ropes.push_back(e.rope);
     lengths.push_back(e.length);
@@ -102,7 +103,7 @@ void write_elements(hid_t group, const std::vector<StructureElement>& elements, 
   }
   write_array(group, {"element_nodes", "", "columns of frames/position of both ends", {2}}, nodes, codec);
   write_array(group, {"element_gradients", "", "columns of frames/gradient of both ends", {2}}, gradients, codec);
-  write_array(group, {"element_kind", "", "0 net, 1 rod, 2 closing rope, 3 cable"}, kinds, codec);
+  write_array(group, {"element_group", "", "row of group_names"}, groups, codec);
   write_array(group, {"element_thread", "", "row of thread_names"}, threads, codec);
   write_array(group, {"element_rope", "", "column of frames/rope_element_length, -1 for fixed length"}, ropes, codec);
   write_array(group, {"element_length", "m", "material length, at the start for variable length"}, lengths, codec);
@@ -136,6 +137,35 @@ void write_bodies(hid_t group, const std::vector<StructureBody>& bodies, ChunkCo
   write_meshes(group, meshes.meshes(), codec);
 }
 
+void write_element_groups(hid_t group, const std::vector<ElementGroup>& groups, ChunkCodec& codec) {
+  std::vector<std::string> names, members;
+  std::vector<std::uint8_t> looks;
+  for (const ElementGroup& g : groups) {
+    names.push_back(g.name);
+    members.push_back(g.member);
+    looks.push_back(static_cast<std::uint8_t>(g.look));
+  }
+  write_texts(group, {"group_names", "", "of all elements of each group"}, names, codec);
+  write_texts(group, {"group_members", "", "of one element of each group, with its article"}, members, codec);
+  write_array(group, {"group_look", "", "0 thin line, 1 tube, 2 broad line"}, looks, codec);
+}
+
+void write_node_groups(hid_t group, const std::vector<NodeGroup>& groups, ChunkCodec& codec) {
+  std::vector<std::string> names;
+  std::vector<std::uint8_t> looks;
+  std::vector<std::int32_t> sizes, nodes;
+  for (const NodeGroup& g : groups) {
+    names.push_back(g.name);
+    looks.push_back(static_cast<std::uint8_t>(g.look));
+    sizes.push_back(static_cast<std::int32_t>(g.nodes.size()));
+    nodes.insert(nodes.end(), g.nodes.begin(), g.nodes.end());
+  }
+  write_texts(group, {"node_group_names", "", "of each group of nodes"}, names, codec);
+  write_array(group, {"node_group_look", "", "0 nothing, 1 joint, 2 reel, 3 adapter"}, looks, codec);
+  write_array(group, {"node_group_size", "", "nodes of each group"}, sizes, codec);
+  write_array(group, {"node_group_nodes", "", "nodes of all groups, one after the other"}, nodes, codec);
+}
+
 std::string at(const char* name) { return std::string(kGroup) + "/" + name; }
 
 template <typename T>
@@ -146,11 +176,18 @@ std::vector<T> read_rows(const InputFile& file, const char* name, std::size_t ro
   return values;
 }
 
-std::vector<StructureElement> read_elements(const InputFile& file) {
+// Version 2 stores one of four kinds for each element.
+std::vector<std::int32_t> read_element_groups(const InputFile& file, std::size_t count, std::int32_t version) {
+  if (version > layout::kVersionWithKinds) return read_rows<std::int32_t>(file, "element_group", count);
+  const auto kinds = read_rows<std::uint8_t>(file, "element_kind", count);
+  return {kinds.begin(), kinds.end()};
+}
+
+std::vector<StructureElement> read_elements(const InputFile& file, std::int32_t version) {
   const auto nodes = read_array<std::int32_t>(file, at("element_nodes"), {2});
   const std::size_t count = nodes.size() / 2;
   const auto gradients = read_rows<std::int32_t>(file, "element_gradients", count, {2});
-  const auto kinds = read_rows<std::uint8_t>(file, "element_kind", count);
+  const auto groups = read_element_groups(file, count, version);
   const auto threads = read_rows<std::int32_t>(file, "element_thread", count);
   const auto ropes = read_rows<std::int32_t>(file, "element_rope", count);
   const auto lengths = read_rows<double>(file, "element_length", count);
@@ -159,13 +196,53 @@ std::vector<StructureElement> read_elements(const InputFile& file) {
   for (std::size_t i = 0; i < count; ++i) {
     elements[i] = {{nodes[2 * i], nodes[2 * i + 1]},
                    {gradients[2 * i], gradients[2 * i + 1]},
-                   static_cast<ElementKind>(kinds[i]),
+                   groups[i],
                    threads[i],
                    ropes[i],
                    lengths[i],
                    radii[i]};
   }
   return elements;
+}
+
+std::vector<ElementGroup> read_element_groups(const InputFile& file, std::int32_t version) {
+  if (version <= layout::kVersionWithKinds) {
+    std::vector<ElementGroup> groups = pocket_groups();
+    groups.push_back({"cables", "a cable", CableLook::cord});
+    return groups;
+  }
+  const auto names = read_texts(file, at("group_names"));
+  const auto members = read_texts(file, at("group_members"));
+  const auto looks = read_rows<std::uint8_t>(file, "group_look", names.size());
+  if (members.size() != names.size()) throw Hdf5Error(at("group_members") + " has the wrong length");
+  std::vector<ElementGroup> groups;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    groups.push_back({names[i], members[i], static_cast<CableLook>(looks[i])});
+  }
+  return groups;
+}
+
+std::vector<NodeGroup> read_node_groups(const InputFile& file, std::int32_t version) {
+  if (version <= layout::kVersionWithKinds) {
+    return {{kRodRoots, NodeLook::adapter, read_array<std::int32_t>(file, at("rod_roots"))},
+            {kRodKinks, NodeLook::joint, read_array<std::int32_t>(file, at("rod_kinks"))},
+            {kRodTips, NodeLook::reel, read_array<std::int32_t>(file, at("rod_tips"))}};
+  }
+  const auto names = read_texts(file, at("node_group_names"));
+  const auto looks = read_rows<std::uint8_t>(file, "node_group_look", names.size());
+  const auto sizes = read_rows<std::int32_t>(file, "node_group_size", names.size());
+  const auto nodes = read_array<std::int32_t>(file, at("node_group_nodes"));
+  std::vector<NodeGroup> groups;
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (sizes[i] < 0 || nodes.size() - first < static_cast<std::size_t>(sizes[i])) {
+      throw Hdf5Error("a group of nodes is larger than what is stored of it");
+    }
+    const auto begin = nodes.begin() + static_cast<std::ptrdiff_t>(first);
+    groups.push_back({names[i], static_cast<NodeLook>(looks[i]), {begin, begin + sizes[i]}});
+    first += static_cast<std::size_t>(sizes[i]);
+  }
+  return groups;
 }
 
 std::vector<MeshPointer> read_meshes(const InputFile& file) {
@@ -226,7 +303,7 @@ std::string find_element_fault(const StructureElement& e, const Structure& struc
   if (!is_index(e.gradient[0], gradients) || !is_index(e.gradient[1], gradients)) {
     return "names a gradient that does not exist";
   }
-  if (e.kind > ElementKind::cable) return "has an unknown kind";
+  if (!is_index(e.group, structure.element_groups.size())) return "names a group that does not exist";
   if (!is_index(e.thread, structure.threads.size())) return "names a thread that does not exist";
   if (e.rope != -1 && !is_index(e.rope, ropes)) return "names a rope that does not exist";
   if (!is_size(e.length) || !is_size(e.radius)) return "has an impossible length or radius";
@@ -255,10 +332,14 @@ std::string find_fault(const Structure& structure) {
     if (body.role > BodyRole::other) return "a body has an unknown role";
     if (!has_valid_size(body)) return "a body has an impossible size or mass";
   }
-  for (const auto* rods : {&structure.rod_roots, &structure.rod_kinks, &structure.rod_tips}) {
-    for (const std::int32_t node : *rods) {
+  for (const ElementGroup& group : structure.element_groups) {
+    if (group.look > CableLook::rope) return "the group of " + group.name + " has an unknown look";
+  }
+  for (const NodeGroup& group : structure.node_groups) {
+    if (group.look > NodeLook::adapter) return "the group of " + group.name + " has an unknown look";
+    for (const std::int32_t node : group.nodes) {
       if (!is_index(node, static_cast<std::size_t>(structure.node_count)))
-        return "a rod names a node that does not exist";
+        return "the group of " + group.name + " names a node that does not exist";
     }
   }
   return "";
@@ -272,22 +353,20 @@ void write_structure(hid_t file, const Structure& structure, ChunkCodec& codec) 
   write_elements(group.get(), structure.elements, codec);
   write_bodies(group.get(), structure.bodies, codec);
   write_texts(group.get(), {"thread_names", "", "names of rods, cords and ropes"}, structure.threads, codec);
-  write_array(group.get(), {"rod_roots", "", "node of each rod's clamped end"}, structure.rod_roots, codec);
-  write_array(group.get(), {"rod_kinks", "", "node of each rod's kink"}, structure.rod_kinks, codec);
-  write_array(group.get(), {"rod_tips", "", "node of each rod's tip"}, structure.rod_tips, codec);
+  write_element_groups(group.get(), structure.element_groups, codec);
+  write_node_groups(group.get(), structure.node_groups, codec);
 }
 
-Structure read_structure(const InputFile& file) {
+Structure read_structure(const InputFile& file, std::int32_t version) {
   Structure structure;
   structure.node_count = file.read_count_attribute(kGroup, "node_count");
   structure.gradient_count = file.read_count_attribute(kGroup, "gradient_count");
   structure.rope_count = file.read_count_attribute(kGroup, "rope_count");
-  structure.elements = read_elements(file);
+  structure.elements = read_elements(file, version);
+  structure.element_groups = read_element_groups(file, version);
+  structure.node_groups = read_node_groups(file, version);
   structure.threads = read_texts(file, at("thread_names"));
   structure.bodies = read_bodies(file);
-  structure.rod_roots = read_array<std::int32_t>(file, at("rod_roots"));
-  structure.rod_kinks = read_array<std::int32_t>(file, at("rod_kinks"));
-  structure.rod_tips = read_array<std::int32_t>(file, at("rod_tips"));
   const std::string fault = find_fault(structure);
   if (!fault.empty()) throw Hdf5Error(fault);
   return structure;

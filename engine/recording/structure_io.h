@@ -3,14 +3,15 @@
 
 #include "engine/recording/chunk_codec.h"
 #include "engine/recording/hdf5_input.h"
-#include "engine/recording/structure.h"
+#include "engine/state/structure.h"
 
 namespace netpocket {
 
 void write_structure(hid_t file, const Structure& structure, ChunkCodec& codec);
 
 // Checks that every index lies inside what it points into. Throws Hdf5Error with the reason.
-Structure read_structure(const InputFile& file);
+// `version` of the format.
+Structure read_structure(const InputFile& file, std::int32_t version);
 
 // What is wrong with a structure's indices, in a few words; empty when they are all valid.
 std::string find_fault(const Structure& structure);

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <functional>
 
-#include "engine/bodies/rotation.h"
+#include "engine/math/rotation.h"
 #include "engine/scenario/pocket_outline.h"
 
 namespace netpocket {

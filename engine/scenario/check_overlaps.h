@@ -1,8 +1,8 @@
 #pragma once
 // Whether the bodies of a scenario start clear of the pocket and of each other.
 
+#include "engine/base/diagnostics.h"
 #include "engine/bodies/shape.h"
-#include "engine/scenario/diagnostics.h"
 #include "engine/scenario/scenario.h"
 
 namespace netpocket {

@@ -1,7 +1,7 @@
 #pragma once
 // Whether a scenario makes sense as a whole.
 
-#include "engine/scenario/diagnostics.h"
+#include "engine/base/diagnostics.h"
 #include "engine/scenario/scenario.h"
 
 namespace netpocket {

@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "engine/scenario/edit_distance.h"
+#include "engine/base/edit_distance.h"
 
 namespace netpocket {
 namespace {

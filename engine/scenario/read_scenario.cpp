@@ -11,7 +11,7 @@
 #include <functional>
 #include <variant>
 
-#include "engine/files/file_kind.h"
+#include "engine/base/file_kind.h"
 #include "engine/scenario/parameter_text.h"
 #include "engine/scenario/toml_depth.h"
 #include "engine/scenario/toml_value.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "engine/scenario/diagnostics.h"
+#include "engine/base/diagnostics.h"
 #include "engine/scenario/parameters.h"
 #include "engine/scenario/scenario.h"
 

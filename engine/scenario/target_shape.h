@@ -4,8 +4,8 @@
 #include <Eigen/Core>
 #include <variant>
 
+#include "engine/base/diagnostics.h"
 #include "engine/bodies/shape.h"
-#include "engine/scenario/diagnostics.h"
 #include "engine/scenario/scenario.h"
 
 namespace netpocket {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "engine/recording/draws.h"
+#include "engine/analysis/paper/draws.h"
 #include "engine/study/report_text.h"
 
 namespace netpocket {

@@ -13,7 +13,7 @@
 #include <set>
 #include <sstream>
 
-#include "engine/files/file_kind.h"
+#include "engine/base/file_kind.h"
 #include "engine/scenario/parameter_text.h"
 #include "engine/scenario/parameters.h"
 #include "engine/scenario/read_scenario.h"

@@ -9,9 +9,9 @@
 #include <optional>
 #include <thread>
 
-#include "engine/dynamics/run.h"
-#include "engine/files/folder.h"
-#include "engine/files/whole_file.h"
+#include "engine/base/folder.h"
+#include "engine/base/whole_file.h"
+#include "engine/capture/run.h"
 #include "engine/study/study_folder.h"
 
 namespace netpocket {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/scenario/diagnostics.h"
+#include "engine/base/diagnostics.h"
 #include "engine/scenario/scenario.h"
 
 namespace netpocket {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/scenario/diagnostics.h"
+#include "engine/base/diagnostics.h"
 #include "engine/scenario/scenario.h"
 #include "engine/study/setting.h"
 

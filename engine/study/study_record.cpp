@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <fstream>
 
+#include "engine/analysis/report.h"
 #include "engine/bodies/triangle_mesh.h"
-#include "engine/recording/report.h"
 #include "engine/scenario/target_shape.h"
 #include "engine/scenario/write_scenario.h"
 

@@ -9,7 +9,7 @@
 #include <csignal>
 #include <sstream>
 
-#include "engine/files/file_error.h"
+#include "engine/base/file_error.h"
 #include "gui/commands/command.h"
 #include "gui/commands/spelling.h"
 #include "gui/commands/standard_streams.h"

@@ -3,9 +3,9 @@
 #include <memory>
 #include <set>
 
-#include "engine/files/folder.h"
-#include "engine/files/output_list.h"
-#include "engine/recording/csv.h"
+#include "engine/analysis/csv.h"
+#include "engine/base/folder.h"
+#include "engine/base/output_list.h"
 #include "gui/commands/command.h"
 #include "gui/commands/interrupt.h"
 #include "gui/commands/notes.h"

@@ -3,7 +3,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "engine/recording/report.h"
+#include "engine/analysis/report.h"
 #include "engine/recording/verify.h"
 #include "gui/commands/command.h"
 #include "gui/commands/recordings.h"

@@ -4,12 +4,12 @@
 #include <memory>
 #include <optional>
 
+#include "engine/base/output_list.h"
+#include "engine/base/whole_file.h"
 #include "engine/bodies/mesh_file.h"
 #include "engine/bodies/mesh_mend.h"
 #include "engine/bodies/mesh_output.h"
 #include "engine/bodies/mesh_weld.h"
-#include "engine/files/output_list.h"
-#include "engine/files/whole_file.h"
 #include "engine/scenario/mesh_unit.h"
 #include "gui/commands/command.h"
 #include "gui/commands/mesh_report.h"

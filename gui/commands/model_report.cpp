@@ -2,39 +2,43 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <variant>
 
 #include "engine/bodies/shape.h"
 #include "engine/bodies/triangle_mesh.h"
-#include "engine/dynamics/simulation.h"
-#include "engine/pocket/pocket.h"
-#include "engine/scenario/closing_law.h"
+#include "engine/capture/simulation.h"
+#include "engine/control/closing_law.h"
 #include "engine/scenario/parameter_text.h"
 #include "engine/scenario/parameters.h"
 #include "engine/scenario/pocket_outline.h"
+#include "engine/systems/pocket/pocket.h"
 
 namespace netpocket {
 namespace {
 
-// By ElementKind.
+// Elements of a group.
 struct Cables {
-  std::array<int, 4> count{};
-  std::array<double, 4> mass{};  // kg
-
-  int count_of(ElementKind kind) const { return count[static_cast<std::size_t>(kind)]; }
-  double mass_of(ElementKind kind) const { return mass[static_cast<std::size_t>(kind)]; }
+  std::string name;
+  int count = 0;
+  double mass = 0;  // kg
 };
 
-Cables cables_of(const Model& model) {
-  Cables cables;
+std::vector<Cables> cables_of(const Model& model) {
+  std::vector<Cables> groups;
+  for (const ElementGroup& group : model.element_groups) groups.push_back({group.name});
   for (const ModelElement& element : model.elements) {
-    const auto kind = static_cast<std::size_t>(element.kind);
-    ++cables.count[kind];
-    cables.mass[kind] += element.length * model.materials[element.material].section.mass_per_length;
+    Cables& cables = groups[static_cast<std::size_t>(element.group)];
+    ++cables.count;
+    cables.mass += element.length * model.materials[element.material].section.mass_per_length;
   }
-  return cables;
+  return groups;
+}
+
+std::string counts(const std::vector<Cables>& groups) {
+  std::vector<std::string> parts;
+  for (const Cables& group : groups) parts.push_back(fmt::format("{} {}", group.name, group.count));
+  return fmt::format("{}", fmt::join(parts, ", "));
 }
 
 std::string line(const char* label, const std::string& value) { return fmt::format("{:<15}{}\n", label, value); }
@@ -44,11 +48,11 @@ std::string choice_text(const Scenario& scenario, std::string_view key) {
   return std::string(parameter.choices[std::get<Choice>(parameter.get(scenario)).index]);
 }
 
-std::string masses(const Model& model, const Cables& cables) {
-  std::string text = fmt::format("net {:.3g}, rods {:.3g}, closing ropes {:.3g}", cables.mass_of(ElementKind::net),
-                                 cables.mass_of(ElementKind::rod), cables.mass_of(ElementKind::closing_rope));
-  for (const ModelBody& body : model.bodies) text += fmt::format(", {} {:g}", body.name, body.mass);
-  return text + " kg";
+std::string masses(const Model& model, const std::vector<Cables>& groups) {
+  std::vector<std::string> parts;
+  for (const Cables& group : groups) parts.push_back(fmt::format("{} {:.3g}", group.name, group.mass));
+  for (const ModelBody& body : model.bodies) parts.push_back(fmt::format("{} {:g}", body.name, body.mass));
+  return fmt::format("{} kg", fmt::join(parts, ", "));
 }
 
 std::string closing(const Scenario& scenario) {
@@ -96,15 +100,13 @@ std::string model_report(const Scenario& scenario) {
   const Simulation simulation(scenario);
   const RunStatistics statistics = simulation.statistics();
   const Pocket pocket = build_pocket(scenario);
-  const Cables cables = cables_of(pocket.model);
+  const std::vector<Cables> cables = cables_of(pocket.model);
   const double frames = std::ceil(scenario.output.end_time * scenario.output.frame_rate);
   const double steps = frames * std::ceil(1 / (scenario.output.frame_rate * statistics.time_step));
 
   std::string text = line("scenario", scenario.name);
   text += line("nodes", fmt::format("{}", simulation.structure().node_count));
-  text += line("elements", fmt::format("{}: net {}, rods {}, closing ropes {}", statistics.elements,
-                                       cables.count_of(ElementKind::net), cables.count_of(ElementKind::rod),
-                                       cables.count_of(ElementKind::closing_rope)));
+  text += line("elements", fmt::format("{}: {}", statistics.elements, counts(cables)));
   text += line("coordinates", fmt::format("{}", statistics.coordinates));
   text += line("evaluation", statistics.evaluation);
   text += line("masses", masses(pocket.model, cables));

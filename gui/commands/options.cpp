@@ -7,7 +7,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "engine/files/destination.h"
+#include "engine/base/destination.h"
 #include "engine/scenario/check_scenario.h"
 #include "engine/scenario/parameter_text.h"
 #include "engine/scenario/read_scenario.h"

@@ -2,9 +2,9 @@
 
 #include <memory>
 
-#include "engine/files/folder.h"
-#include "engine/files/output_list.h"
-#include "engine/recording/run_labels.h"
+#include "engine/analysis/run_labels.h"
+#include "engine/base/folder.h"
+#include "engine/base/output_list.h"
 #include "gui/commands/command.h"
 #include "gui/commands/interrupt.h"
 #include "gui/commands/notes.h"

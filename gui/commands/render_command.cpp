@@ -5,10 +5,10 @@
 #include <optional>
 #include <set>
 
-#include "engine/files/folder.h"
-#include "engine/files/output_list.h"
-#include "engine/files/whole_file.h"
-#include "engine/recording/run_labels.h"
+#include "engine/analysis/run_labels.h"
+#include "engine/base/folder.h"
+#include "engine/base/output_list.h"
+#include "engine/base/whole_file.h"
 #include "gui/commands/command.h"
 #include "gui/commands/interrupt.h"
 #include "gui/commands/notes.h"

@@ -2,10 +2,10 @@
 
 #include <memory>
 
-#include "engine/dynamics/recorded_scenario.h"
-#include "engine/dynamics/run.h"
-#include "engine/files/output_list.h"
-#include "engine/recording/report.h"
+#include "engine/analysis/report.h"
+#include "engine/base/output_list.h"
+#include "engine/capture/recorded_scenario.h"
+#include "engine/capture/run.h"
 #include "engine/scenario/parameter_text.h"
 #include "gui/commands/command.h"
 #include "gui/commands/interrupt.h"

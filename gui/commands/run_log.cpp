@@ -9,9 +9,9 @@
 #include <cmath>
 #include <thread>
 
-#include "engine/ancf/instruction_set.h"
-#include "engine/files/file_error.h"
-#include "engine/recording/fingerprint.h"
+#include "engine/base/file_error.h"
+#include "engine/base/fingerprint.h"
+#include "engine/math/instruction_set.h"
 #include "engine/scenario/write_scenario.h"
 #include "gui/commands/version.h"
 

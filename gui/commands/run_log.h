@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "engine/dynamics/run.h"
+#include "engine/capture/run.h"
 
 namespace spdlog {
 class logger;

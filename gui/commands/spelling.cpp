@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/scenario/edit_distance.h"
+#include "engine/base/edit_distance.h"
 
 namespace netpocket {
 

@@ -4,9 +4,9 @@
 #include <memory>
 #include <thread>
 
-#include "engine/files/folder.h"
-#include "engine/files/output_list.h"
-#include "engine/files/whole_file.h"
+#include "engine/base/folder.h"
+#include "engine/base/output_list.h"
+#include "engine/base/whole_file.h"
 #include "engine/study/read_study.h"
 #include "engine/study/run_study.h"
 #include "engine/study/search_report.h"

@@ -1,7 +1,7 @@
 #include "gui/workbench/findings_updater.h"
 
+#include "engine/analysis/run_history.h"
 #include "engine/recording/recording.h"
-#include "engine/recording/run_history.h"
 
 namespace netpocket {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/recording/summary.h"
+#include "engine/analysis/summary.h"
 #include "gui/workbench/session/capture_session.h"
 #include "gui/workbench/simulation/latest_task.h"
 

@@ -13,7 +13,7 @@
 #include <QUrl>
 #include <algorithm>
 
-#include "engine/files/file_kind.h"
+#include "engine/base/file_kind.h"
 #include "gui/workbench/dialogs/preferences_dialog.h"
 #include "gui/workbench/editor/edit_command.h"
 #include "gui/workbench/editor/scenario_editor.h"
@@ -143,9 +143,10 @@ void MainWindow::connect_session() {
   connect(&runs, &RunLibrary::run_changed, this, &MainWindow::run_changed);
   connect(&runs, &RunLibrary::frames_added, findings_updater_.get(), &FindingsUpdater::request);
   connect(&runs, &RunLibrary::frames_added, this, [this](RunId id) {
-    std::array<double, kChannelCount> values;
-    const RunSeries& series = session_->runs().find(id)->series;
-    for (std::size_t i = 0; i < kChannelCount; ++i) values[i] = series.channels[i].back();
+    std::vector<double> values;
+    for (const std::vector<double>& channel : session_->runs().find(id)->series.channels) {
+      values.push_back(channel.back());
+    }
     plots_->append(plotted(id), values);
   });
   // Known once the run has begun, and other ones with its strategy.

@@ -11,7 +11,7 @@ namespace {
 // Whether what is picked in one is the same thing in the other.
 bool same_parts(const Structure& a, const Structure& b) {
   return &a == &b || (a.threads == b.threads && a.elements.size() == b.elements.size() &&
-                      a.bodies.size() == b.bodies.size() && a.rod_tips == b.rod_tips);
+                      a.bodies.size() == b.bodies.size() && a.node_groups == b.node_groups);
 }
 
 }  // namespace

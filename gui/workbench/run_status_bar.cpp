@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/recording/summary.h"
+#include "engine/analysis/summary.h"
 #include "gui/workbench/panels/tones.h"
 
 namespace netpocket {

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "engine/files/whole_file.h"
+#include "engine/base/whole_file.h"
 #include "render/figures/svg_text.h"
 #include "render/fonts/font_file.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "engine/files/file_kind.h"
+#include "engine/base/file_kind.h"
 #include "render/figures/figure.h"
 #include "render/figures/figure_error.h"
 

@@ -7,7 +7,7 @@
 #include <cctype>
 #include <cmath>
 
-#include "engine/recording/summary.h"
+#include "engine/analysis/summary.h"
 #include "render/figures/axis_ticks.h"
 #include "render/figures/rich_text.h"
 

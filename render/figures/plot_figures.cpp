@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "engine/files/folder.h"
+#include "engine/base/folder.h"
 
 namespace netpocket {
 namespace {

@@ -1,14 +1,31 @@
 #include "render/figures/run_series.h"
 
+#include "engine/analysis/run_labels.h"
 #include "engine/recording/recording.h"
-#include "engine/recording/run_labels.h"
 
 namespace netpocket {
+
+const std::vector<double>& RunSeries::channel(Channel c) const {
+  static const std::vector<double> kNone;
+  const auto index = channel_list->find(c);
+  return index ? channels[*index] : kNone;
+}
+
+void RunSeries::begin(std::shared_ptr<const ChannelList> list) {
+  channel_list = std::move(list);
+  channels.assign(channel_list->size(), {});
+}
+
+void RunSeries::append(const std::vector<double>& values) {
+  for (std::size_t i = 0; i < channels.size(); ++i) channels[i].push_back(values[i]);
+}
 
 RunSeries run_series(const Recording& recording) {
   RunSeries series;
   series.name = recording.origin().scenario_name;
-  for (std::size_t i = 0; i < kChannelCount; ++i) series.channels[i] = recording.channel(static_cast<Channel>(i));
+  series.channel_list = recording.channels();
+  series.channels.clear();
+  for (std::size_t i = 0; i < series.channel_list->size(); ++i) series.channels.push_back(recording.channel(i));
   series.closing_end = recording.origin().closing_end;
   series.towing_start = recording.origin().towing_start;
   return series;

@@ -1,26 +1,34 @@
 #pragma once
 // What the figures need of a run: its channels over time. Filled from a recording, a live run or a test.
 
-#include <array>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "engine/recording/channels.h"
+#include "engine/state/channels.h"
 
 namespace netpocket {
 
 class Recording;
 
 struct RunSeries {
-  std::string name;                                                // shown in titles and legends
-  std::array<std::vector<double>, kChannelCount> channels;         // by Channel; all as long as the times
+  std::string name;  // shown in titles and legends
+  std::shared_ptr<const ChannelList> channel_list = known_channels();
+  std::vector<std::vector<double>> channels =
+      std::vector<std::vector<double>>(channel_list->size());      // by channel_list
   double closing_end = std::numeric_limits<double>::quiet_NaN();   // s; NaN when unknown
   double towing_start = std::numeric_limits<double>::quiet_NaN();  // s; NaN when unknown or never
 
-  const std::vector<double>& channel(Channel c) const { return channels[static_cast<std::size_t>(c)]; }
-  std::vector<double>& channel(Channel c) { return channels[static_cast<std::size_t>(c)]; }
+  // By frame; empty where the run has no such channel.
+  const std::vector<double>& channel(Channel c) const;
+  // To be filled: throws std::bad_optional_access where the run has no such channel.
+  std::vector<double>& channel(Channel c) { return channels[channel_list->find(c).value()]; }
   const std::vector<double>& times() const { return channel(Channel::time); }
+  // Has these channels from now on, and no frame.
+  void begin(std::shared_ptr<const ChannelList> list);
+  // One more frame, by channel_list.
+  void append(const std::vector<double>& values);
 };
 
 // Throws RecordingError when the recording cannot be read.

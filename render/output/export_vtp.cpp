@@ -4,17 +4,19 @@
 #include <vtkAppendPolyData.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkStringArray.h>
 #include <vtkXMLPolyDataWriter.h>
 
-#include "engine/files/folder.h"
-#include "engine/files/whole_file.h"
-#include "engine/recording/written_time.h"
+#include "engine/base/folder.h"
+#include "engine/base/whole_file.h"
+#include "engine/state/written_time.h"
 #include "render/render_error.h"
 #include "render/scene/body_mesh.h"
 #include "render/scene/element_curve.h"
@@ -64,18 +66,22 @@ void add_element_data(const Structure& structure, const Snapshot& snapshot, vtkP
   const auto count = static_cast<vtkIdType>(structure.elements.size());
   const auto tension = make_array<vtkFloatArray>("tension", 1, count);
   const auto strain = make_array<vtkFloatArray>("strain", 1, count);
-  const auto kind = make_array<vtkIntArray>("kind", 1, count);
+  const auto group = make_array<vtkIntArray>("group", 1, count);
   const auto thread = make_array<vtkIntArray>("thread", 1, count);
   for (vtkIdType i = 0; i < count; ++i) {
     tension->SetValue(i, static_cast<float>(snapshot.tension[i]));
     strain->SetValue(i, static_cast<float>(snapshot.strain[i]));
-    kind->SetValue(i, static_cast<int>(structure.elements[i].kind));
+    group->SetValue(i, structure.elements[i].group);
     thread->SetValue(i, structure.elements[i].thread);
   }
   for (vtkDataArray* array : {static_cast<vtkDataArray*>(tension), static_cast<vtkDataArray*>(strain),
-                              static_cast<vtkDataArray*>(kind), static_cast<vtkDataArray*>(thread)}) {
+                              static_cast<vtkDataArray*>(group), static_cast<vtkDataArray*>(thread)}) {
     mesh.GetCellData()->AddArray(array);
   }
+  const auto names = vtkSmartPointer<vtkStringArray>::New();
+  names->SetName("groups");
+  for (const ElementGroup& group : structure.element_groups) names->InsertNextValue(group.name);
+  mesh.GetFieldData()->AddArray(names);
 }
 
 vtkSmartPointer<vtkPolyData> line_mesh(const Structure& structure, const Snapshot& snapshot,

@@ -17,9 +17,9 @@ struct VtpOptions {
 // The name of a frame's file; `part` is "lines" or "bodies".
 std::string vtp_file_name(const std::string& part, std::size_t frame);
 
-// Lines carry tension (N), strain (Green), kind (0 net, 1 rod, 2 closing rope, 3 cable) and thread by element and
-// velocity (m/s) by point; bodies carry their index in `body` by polygon and outward `Normals` by point. Positions in
-// m, world frame.
+// Lines carry tension (N), strain (Green), group (index into Structure::element_groups, whose names are the field data
+// "groups") and thread by element and velocity (m/s) by point; bodies carry their index in `body` by polygon and
+// outward `Normals` by point. Positions in m, world frame.
 RenderOutcome export_vtp(const Recording& recording, const std::string& folder, const VtpOptions& options = {},
                          const RenderProgressCallback& progress = {}, const std::stop_token& stop = {});
 

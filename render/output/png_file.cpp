@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "engine/files/whole_file.h"
+#include "engine/base/whole_file.h"
 #include "render/render_error.h"
 
 namespace netpocket {

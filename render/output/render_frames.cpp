@@ -9,8 +9,8 @@
 #include <optional>
 #include <thread>
 
-#include "engine/files/folder.h"
-#include "engine/recording/run_labels.h"
+#include "engine/analysis/run_labels.h"
+#include "engine/base/folder.h"
 #include "render/output/bounded_queue.h"
 #include "render/output/picture_comment.h"
 #include "render/output/png_file.h"

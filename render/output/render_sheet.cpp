@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "engine/recording/run_labels.h"
+#include "engine/analysis/run_labels.h"
 #include "render/output/png_file.h"
 #include "render/render_error.h"
 #include "render/scene/time_label.h"

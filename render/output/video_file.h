@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/files/whole_file.h"
+#include "engine/base/whole_file.h"
 #include "render/output/image.h"
 
 namespace netpocket {

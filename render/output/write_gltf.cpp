@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "engine/files/whole_file.h"
+#include "engine/base/whole_file.h"
 #include "render/output/gltf_document.h"
 #include "render/output/run_renderer.h"
 #include "render/render_error.h"

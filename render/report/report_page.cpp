@@ -5,8 +5,8 @@
 
 #include <functional>
 
-#include "engine/recording/run_labels.h"
-#include "engine/recording/summary.h"
+#include "engine/analysis/run_labels.h"
+#include "engine/analysis/summary.h"
 #include "render/report/html_text.h"
 #include "render/report/inline_svg.h"
 

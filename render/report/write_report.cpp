@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "engine/files/whole_file.h"
+#include "engine/base/whole_file.h"
 #include "render/figures/figure_file.h"
 #include "render/figures/paper_figures.h"
 #include "render/output/png_file.h"

@@ -22,11 +22,12 @@ struct RootCircle {
 // The circle on which the rods are clamped to the spacecraft.
 RootCircle root_circle(const Structure& structure, const Snapshot& snapshot, const BodyState& spacecraft) {
   RootCircle circle{0, 0};
-  for (const auto node : structure.rod_roots) {
+  const std::vector<std::int32_t> nodes = structure.nodes(NodeLook::adapter);
+  for (const auto node : nodes) {
     const Eigen::Vector3d arm = snapshot.positions.col(node) - spacecraft.position;
     const Eigen::Vector3d in_body = spacecraft.attitude.conjugate() * arm;
-    circle.radius += std::hypot(in_body.x(), in_body.z()) / static_cast<double>(structure.rod_roots.size());
-    circle.height += in_body.y() / static_cast<double>(structure.rod_roots.size());
+    circle.radius += std::hypot(in_body.x(), in_body.z()) / static_cast<double>(nodes.size());
+    circle.height += in_body.y() / static_cast<double>(nodes.size());
   }
   return circle;
 }

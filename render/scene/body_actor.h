@@ -6,7 +6,7 @@
 #include <vtkPolyData.h>
 #include <vtkTransform.h>
 
-#include "engine/recording/structure.h"
+#include "engine/state/structure.h"
 #include "render/scene/palette.h"
 #include "render/scene/scene_actor.h"
 

@@ -4,7 +4,7 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
-#include "engine/recording/structure.h"
+#include "engine/state/structure.h"
 #include "render/scene/palette.h"
 
 namespace netpocket {

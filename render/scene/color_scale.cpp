@@ -36,9 +36,9 @@ ColorScale::ColorScale(const Structure& structure, const SceneOptions& options)
       range_(options.color_range.value_or(ValueRange{0, 0})) {}
 
 // Rods are compressed while cords are taut: on one scale neither would show anything.
-bool ColorScale::colors(ElementKind kind) const {
+bool ColorScale::colors(CableLook look) const {
   if (color_by_ == ColorBy::speed || color_by_ == ColorBy::contact) return true;
-  return active() && kind != ElementKind::rod;
+  return active() && look != CableLook::tube;
 }
 
 double ColorScale::value(const Snapshot& snapshot, std::size_t element, double fraction) const {
@@ -104,7 +104,7 @@ double high_value(const Structure& structure, const Snapshot& snapshot, ColorBy 
   scale.update(snapshot);
   std::vector<double> values;
   for (std::size_t i = 0; i < structure.elements.size(); ++i) {
-    if (!scale.colors(structure.elements[i].kind)) continue;
+    if (!scale.colors(structure.look_of(structure.elements[i]))) continue;
     values.push_back(std::max(scale.value(snapshot, i, 0), scale.value(snapshot, i, 1)));
   }
   if (color_by == ColorBy::contact) std::erase(values, 0);

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/recording/snapshot.h"
-#include "engine/recording/structure.h"
+#include "engine/state/snapshot.h"
+#include "engine/state/structure.h"
 #include "render/scene/scene_options.h"
 
 namespace netpocket {
@@ -15,7 +15,7 @@ class ColorScale {
   ColorScale(const Structure& structure, const SceneOptions& options);
 
   bool active() const { return color_by_ != ColorBy::none; }
-  bool colors(ElementKind kind) const;
+  bool colors(CableLook look) const;
 
   // Takes note of what is needed for the values of a snapshot; call before value(). Without a fixed range: makes the
   // range hold the snapshot's values, up to a round number.

@@ -24,10 +24,10 @@ constexpr double kFilling = 0.7;  // of the width
 CordActor::CordActor(const Structure& structure, const ColorScale& scale, const CordStyle& style)
     : structure_(structure), scale_(scale), style_(style), curve_(style.segments) {
   for (std::size_t i = 0; i < structure.elements.size(); ++i) {
-    const auto kind = structure.elements[i].kind;
-    if (std::ranges::find(style_.kinds, kind) == style_.kinds.end()) continue;
+    const CableLook look = structure.look_of(structure.elements[i]);
+    if (std::ranges::find(style_.looks, look) == style_.looks.end()) continue;
     elements_.push_back(i);
-    scaled_ = scale.colors(kind);
+    scaled_ = scale.colors(look);
   }
   const int points_each = curve_.point_count();
   const auto point_count = static_cast<vtkIdType>(elements_.size()) * points_each;

@@ -1,5 +1,5 @@
 #pragma once
-// Cords of one kind as lines in one mesh: net cords are far thinner than a pixel at the scale of a pocket.
+// Cords of one look as lines in one mesh: net cords are far thinner than a pixel at the scale of a pocket.
 
 #include <vtkActor.h>
 #include <vtkFloatArray.h>
@@ -15,14 +15,14 @@ namespace netpocket {
 
 struct CordStyle {
   std::string name;
-  std::vector<ElementKind> kinds;  // the elements that are drawn
-  Color color;                     // unless the scale colours them
-  double width = 1;                // pixels of a picture 720 pixels high
-  double smallest_width = 1;       // pixels
-  Color distance_color;            // what the far side of the pocket fades to
-  double fading = 0;               // how much of it at the farthest place, 0 to 1
-  double nearer = 0;               // drawn in front of other cords at the same place by this fraction of the depth
-  int segments = 3;                // straight pieces of an element
+  std::vector<CableLook> looks;  // the elements that are drawn
+  Color color;                   // unless the scale colours them
+  double width = 1;              // pixels of a picture 720 pixels high
+  double smallest_width = 1;     // pixels
+  Color distance_color;          // what the far side of the pocket fades to
+  double fading = 0;             // how much of it at the farthest place, 0 to 1
+  double nearer = 0;             // drawn in front of other cords at the same place by this fraction of the depth
+  int segments = 3;              // straight pieces of an element
 };
 
 class CordActor final : public SceneActor {

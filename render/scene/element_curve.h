@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "engine/ancf/vector.h"
-#include "engine/recording/snapshot.h"
-#include "engine/recording/structure.h"
+#include "engine/math/vector.h"
+#include "engine/state/snapshot.h"
+#include "engine/state/structure.h"
 
 namespace netpocket {
 

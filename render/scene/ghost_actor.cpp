@@ -10,10 +10,10 @@ SceneOptions without_colors(SceneOptions options) {
   return options;
 }
 
-CordStyle ghost_style(const SceneOptions& options, std::vector<ElementKind> kinds, double width, double strength) {
+CordStyle ghost_style(const SceneOptions& options, std::vector<CableLook> looks, double width, double strength) {
   const auto& colors = palette(options.background);
   return {.name = {},
-          .kinds = std::move(kinds),
+          .looks = std::move(looks),
           .color = mix(colors.background, colors.net, strength),
           .width = width * options.line_scale,
           .smallest_width = 0.7,
@@ -27,8 +27,8 @@ CordStyle ghost_style(const SceneOptions& options, std::vector<ElementKind> kind
 
 GhostActor::GhostActor(const Structure& structure, const SceneOptions& options)
     : no_scale_(structure, without_colors(options)),
-      net_(structure, no_scale_, ghost_style(options, {ElementKind::net, ElementKind::cable}, 0.7, 0.22)),
-      frame_(structure, no_scale_, ghost_style(options, {ElementKind::rod, ElementKind::closing_rope}, 2.0, 0.36)) {
+      net_(structure, no_scale_, ghost_style(options, {CableLook::cord}, 0.7, 0.22)),
+      frame_(structure, no_scale_, ghost_style(options, {CableLook::tube, CableLook::rope}, 2.0, 0.36)) {
   for (const auto* part : {&net_, &frame_}) {
     for (const auto& prop : part->props()) {
       prop->VisibilityOff();

@@ -8,20 +8,22 @@
 namespace netpocket {
 namespace {
 
-double rod_radius(const Structure& structure) {
-  const auto rod = std::ranges::find(structure.elements, ElementKind::rod, &StructureElement::kind);
-  return rod == structure.elements.end() ? 0.05 : rod->radius;
+double tube_radius(const Structure& structure) {
+  const auto tube = std::ranges::find_if(structure.elements, [&](const StructureElement& element) {
+    return structure.look_of(element) == CableLook::tube;
+  });
+  return tube == structure.elements.end() ? 0.05 : tube->radius;
 }
 
-vtkSmartPointer<vtkPolyData> kink_mesh(double radius, const Color& color) {
+vtkSmartPointer<vtkPolyData> joint_mesh(double radius, const Color& color) {
   MeshBuilder mesh;
   mesh.set_color(color);
   mesh.add_sphere({0, 0, 0}, 2.2 * radius, 16, 8);
   return mesh.build();
 }
 
-// A spool across the rod between two flanges; z points along the rod.
-vtkSmartPointer<vtkPolyData> retractor_mesh(double radius, const Color& color) {
+// A spool across the tube between two flanges; z points along the tube.
+vtkSmartPointer<vtkPolyData> reel_mesh(double radius, const Color& color) {
   MeshBuilder mesh;
   mesh.set_color(color);
   const Eigen::Vector3d along = Eigen::Vector3d::UnitZ() * radius;
@@ -32,13 +34,13 @@ vtkSmartPointer<vtkPolyData> retractor_mesh(double radius, const Color& color) {
   return mesh.build();
 }
 
-std::vector<std::int32_t> gradients_at(const Structure& structure, const std::vector<std::int32_t>& tips) {
-  std::vector<std::int32_t> gradients(tips.size(), -1);
+std::vector<std::int32_t> gradients_at(const Structure& structure, const std::vector<std::int32_t>& nodes) {
+  std::vector<std::int32_t> gradients(nodes.size(), -1);
   for (const auto& element : structure.elements) {
-    if (element.kind != ElementKind::rod) continue;
-    for (std::size_t i = 0; i < tips.size(); ++i) {
+    if (structure.look_of(element) != CableLook::tube) continue;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
       for (const int end : {0, 1}) {
-        if (element.node[end] == tips[i]) gradients[i] = element.gradient[end];
+        if (element.node[end] == nodes[i]) gradients[i] = element.gradient[end];
       }
     }
   }
@@ -49,27 +51,29 @@ std::vector<std::int32_t> gradients_at(const Structure& structure, const std::ve
 
 JointActor::JointActor(const Structure& structure, Background background)
     : structure_(structure),
-      tip_gradients_(gradients_at(structure, structure.rod_tips)),
-      kinks_(kink_mesh(rod_radius(structure), palette(background).joints), structure.rod_kinks.size()),
-      retractors_(retractor_mesh(rod_radius(structure), palette(background).retractors), structure.rod_tips.size()) {
-  props_ = {make_surface(kinks_.mesh(), background), make_surface(retractors_.mesh(), background)};
+      joint_nodes_(structure.nodes(NodeLook::joint)),
+      reel_nodes_(structure.nodes(NodeLook::reel)),
+      reel_gradients_(gradients_at(structure, reel_nodes_)),
+      joints_(joint_mesh(tube_radius(structure), palette(background).joints), joint_nodes_.size()),
+      reels_(reel_mesh(tube_radius(structure), palette(background).retractors), reel_nodes_.size()) {
+  props_ = {make_surface(joints_.mesh(), background), make_surface(reels_.mesh(), background)};
 }
 
 void JointActor::update(const Snapshot& snapshot) {
-  for (std::size_t i = 0; i < structure_.rod_kinks.size(); ++i) {
-    kinks_.place(i, Eigen::Matrix3d::Identity(), snapshot.positions.col(structure_.rod_kinks[i]));
+  for (std::size_t i = 0; i < joint_nodes_.size(); ++i) {
+    joints_.place(i, Eigen::Matrix3d::Identity(), snapshot.positions.col(joint_nodes_[i]));
   }
-  kinks_.modified();
-  for (std::size_t i = 0; i < structure_.rod_tips.size(); ++i) {
-    const Eigen::Vector3d along =
-        tip_gradients_[i] >= 0 ? Eigen::Vector3d(snapshot.gradients.col(tip_gradients_[i])) : Eigen::Vector3d::UnitY();
+  joints_.modified();
+  for (std::size_t i = 0; i < reel_nodes_.size(); ++i) {
+    const Eigen::Vector3d along = reel_gradients_[i] >= 0 ? Eigen::Vector3d(snapshot.gradients.col(reel_gradients_[i]))
+                                                          : Eigen::Vector3d::UnitY();
     const Eigen::Vector3d axis = along.normalized();
     const auto cross = cross_axes(axis);
     Eigen::Matrix3d axes;
     axes << cross.first, cross.second, axis;
-    retractors_.place(i, axes, snapshot.positions.col(structure_.rod_tips[i]));
+    reels_.place(i, axes, snapshot.positions.col(reel_nodes_[i]));
   }
-  retractors_.modified();
+  reels_.modified();
 }
 
 }  // namespace netpocket

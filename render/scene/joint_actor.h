@@ -1,7 +1,7 @@
 #pragma once
-// What sits on the rods: a joint at each kink, a retractor at each tip. Drawn larger than life, to be seen.
+// What sits on the tubes: joints and reels. Drawn larger than life, to be seen.
 
-#include "engine/recording/structure.h"
+#include "engine/state/structure.h"
 #include "render/scene/palette.h"
 #include "render/scene/repeated_mesh.h"
 #include "render/scene/scene_actor.h"
@@ -17,10 +17,10 @@ class JointActor final : public SceneActor {
 
  private:
   const Structure& structure_;
-  // The gradient along the rod at each tip.
-  std::vector<std::int32_t> tip_gradients_;
-  RepeatedMesh kinks_;
-  RepeatedMesh retractors_;
+  std::vector<std::int32_t> joint_nodes_, reel_nodes_;
+  std::vector<std::int32_t> reel_gradients_;  // along the tube; -1: none
+  RepeatedMesh joints_;
+  RepeatedMesh reels_;
 };
 
 }  // namespace netpocket

@@ -18,7 +18,7 @@ namespace {
 CordStyle net_style(const SceneOptions& options) {
   const auto& colors = palette(options.background);
   return {.name = "net",
-          .kinds = {ElementKind::net, ElementKind::cable},
+          .looks = {CableLook::cord},
           .color = colors.net,
           .width = 1.2 * options.line_scale,
           .smallest_width = 0.9,
@@ -30,7 +30,7 @@ CordStyle net_style(const SceneOptions& options) {
 CordStyle closing_rope_style(const SceneOptions& options) {
   const auto& colors = palette(options.background);
   return {.name = "closing ropes",
-          .kinds = {ElementKind::closing_rope},
+          .looks = {CableLook::rope},
           .color = colors.closing_ropes,
           .width = 3.0 * options.line_scale,
           .smallest_width = 2.0,

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/recording/snapshot.h"
-#include "engine/recording/structure.h"
+#include "engine/state/snapshot.h"
+#include "engine/state/structure.h"
 #include "render/scene/camera.h"
 #include "render/scene/color_scale.h"
 #include "render/scene/contact_arrows.h"

@@ -35,7 +35,7 @@ std::vector<std::vector<std::size_t>> smooth_chains(const Structure& structure) 
   const StructureElement* previous = nullptr;
   for (std::size_t i = 0; i < structure.elements.size(); ++i) {
     const auto& element = structure.elements[i];
-    if (element.kind != ElementKind::rod) continue;
+    if (structure.look_of(element) != CableLook::tube) continue;
     const bool continues = previous && previous->gradient[1] == element.gradient[0];
     if (!continues) chains.emplace_back();
     chains.back().push_back(i);
@@ -65,7 +65,7 @@ RodActor::RodActor(const Structure& structure, const ColorScale& scale, const Sc
   mesh_->SetPoints(points);
   mesh_->SetPolys(quads);
   mesh_->GetPointData()->SetNormals(normals_);
-  if (scale.colors(ElementKind::rod)) {
+  if (scale.colors(CableLook::tube)) {
     colors_->SetNumberOfComponents(3);
     colors_->SetNumberOfTuples(ring_count * kSides);
     mesh_->GetPointData()->SetScalars(colors_);
@@ -103,7 +103,7 @@ void RodActor::update(const Snapshot& snapshot) {
       const auto& element = structure_.elements[index];
       // Neighbours share the ring between them.
       for (int i = index == tube.front() ? 0 : 1; i < curve_.point_count(); ++i) {
-        if (scale_.colors(ElementKind::rod)) {
+        if (scale_.colors(CableLook::tube)) {
           const auto color = to_bytes(scale_.color(scale_.value(snapshot, index, curve_.fraction(i))));
           for (int side = 0; side < kSides; ++side) colors_->SetTypedTuple(next_point_ + side, color.data());
         }

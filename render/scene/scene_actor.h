@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/recording/snapshot.h"
+#include "engine/state/snapshot.h"
 
 namespace netpocket {
 

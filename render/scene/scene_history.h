@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "engine/recording/snapshot.h"
-#include "engine/recording/structure.h"
+#include "engine/state/snapshot.h"
+#include "engine/state/structure.h"
 
 namespace netpocket {
 

@@ -19,12 +19,12 @@
 #include "engine/ancf/full_batch.h"
 #include "engine/ancf/full_element.h"
 #include "engine/ancf/mean_strain_element.h"
-#include "engine/dynamics/run.h"
-#include "engine/dynamics/simulation.h"
-#include "engine/dynamics/slot_state.h"
-#include "engine/pocket/materials.h"
+#include "engine/capture/run.h"
+#include "engine/capture/simulation.h"
+#include "engine/dynamics/assembly/coordinate_vectors.h"
 #include "engine/recording/recorder.h"
 #include "engine/scenario/read_scenario.h"
+#include "engine/systems/pocket/materials.h"
 #include "tests/benchmarks/machine_peak.h"
 #include "tests/benchmarks/results_table.h"
 
@@ -99,7 +99,7 @@ void element_batch(benchmark::State& state) {
   const std::int32_t nodes = count + kBlockSize, blocks = count / kBlockSize;
   std::mt19937 generator(1);
   std::vector<BatchElement> elements;
-  SlotVectors coordinates(2 * nodes), velocities(2 * nodes);
+  CoordinateVectors coordinates(2 * nodes), velocities(2 * nodes);
   for (std::int32_t block = 0; block <= blocks; ++block) {
     for (std::int32_t lane = 0; lane < kBlockSize; ++lane) {
       const State s = random_state(generator);
@@ -114,7 +114,7 @@ void element_batch(benchmark::State& state) {
   }
   const ElementBatch batch(elements);
   const FullBatch full(batch.block_count());
-  const SlotRows q = coordinates.rows(), v = velocities.rows();
+  const CoordinateRows q = coordinates.rows(), v = velocities.rows();
   AlignedVector<double> forces(static_cast<std::size_t>(batch.block_count()) * kForceRows * kBlockSize);
   for (auto _ : state) {
     benchmark::DoNotOptimize(kFull ? full.forces(batch, 0, batch.block_count(), q, v, forces.data())

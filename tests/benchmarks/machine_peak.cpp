@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "engine/ancf/instruction_set.h"
+#include "engine/math/instruction_set.h"
 
 namespace netpocket {
 namespace {

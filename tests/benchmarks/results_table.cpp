@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "commit.h"
-#include "engine/ancf/instruction_set.h"
+#include "engine/math/instruction_set.h"
 
 namespace netpocket {
 namespace {

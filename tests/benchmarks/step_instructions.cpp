@@ -3,7 +3,7 @@
 
 #include <cstdio>
 
-#include "engine/dynamics/simulation.h"
+#include "engine/capture/simulation.h"
 
 int main() {
   netpocket::Scenario scenario;

@@ -10,8 +10,8 @@
 #include <filesystem>
 #include <random>
 
+#include "engine/capture/simulation.h"
 #include "engine/contact/surface_tracker.h"
-#include "engine/dynamics/simulation.h"
 #include "tests/engine/bodies/mesh_samples.h"
 
 namespace netpocket {

@@ -7,9 +7,9 @@
 #include <numeric>
 #include <string>
 
+#include "engine/recording/verify.h"
 #include "engine/recording/hdf5_support.h"
 #include "engine/recording/recording.h"
-#include "engine/recording/verify.h"
 #include "tests/engine/recording/synthetic_run.h"
 #include "tests/fuzz/fuzz_targets.h"
 #include "tests/fuzz/recording_edits.h"

@@ -15,8 +15,8 @@
 
 #include "engine/ancf/shape_functions.h"
 #include "engine/bodies/shape.h"
-#include "engine/dynamics/run.h"
-#include "engine/dynamics/simulation.h"
+#include "engine/capture/run.h"
+#include "engine/capture/simulation.h"
 #include "engine/recording/recording.h"
 #include "engine/scenario/write_scenario.h"
 #include "tests/hardening/child_pool.h"

@@ -5,6 +5,7 @@
 #include "engine/recording/recorder.h"
 #include "engine/scenario/scenario.h"
 #include "engine/scenario/write_scenario.h"
+#include "engine/state/pocket_groups.h"
 #include "tests/render/figures/synthetic_run.h"
 #include "tests/render/synthetic_pocket.h"
 
@@ -36,7 +37,7 @@ void add_contacts(const Structure& structure, Snapshot& snapshot, double closed)
   const auto& target = snapshot.bodies[1];
   for (std::size_t i = 0; i < structure.elements.size(); i += 3) {
     const auto& element = structure.elements[i];
-    if (element.kind != ElementKind::net) continue;
+    if (element.group != index_of(PocketGroup::net)) continue;
     const Eigen::Vector3d arm = snapshot.positions.col(element.node[0]) - target.position;
     const double gap = arm.norm() - kTargetRadius, reach = 2.2 * closed;
     if (gap > reach || arm.y() < 0) continue;
@@ -109,7 +110,7 @@ void write_series_recording(const std::string& path, const std::string& name, do
   origin.towing_start = series.towing_start;
   write_channels(path, origin, series.times().size(), [&](Snapshot& snapshot, std::size_t i) {
     snapshot.time = series.times()[i];
-    for (std::size_t c = 0; c < kChannelCount; ++c) {
+    for (std::size_t c = 0; c < snapshot.channels.size(); ++c) {
       const auto& values = series.channels[c];
       snapshot.channels[c] = i < values.size() ? values[i] : 0;
     }

@@ -17,7 +17,7 @@ PictureDifference compare_pictures(const Image& actual, const Image& baseline);
 // The same program and the same Mesa give the same bytes, also with another width of vectors
 // (LP_NATIVE_VECTOR_WIDTH=128 instead of 256). Other releases of Mesa and of the font library round edges and letters
 // otherwise: the bounds leave room for 46 of the 153 600 pixels of a frame here, and stay below the smallest thing to
-// be seen: a missing label changes 100 pixels, the rod that is hidden most 97 (test_comparison.cpp).
+// be seen: a missing label changes 100 pixels, the rod that is hidden most 97 (comparison_test.cpp).
 inline constexpr double kLargestBeyond = 3e-4;
 inline constexpr double kLargestRmse = 4e-3;
 

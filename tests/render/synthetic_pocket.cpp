@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/state/pocket_groups.h"
+
 namespace netpocket::synthetic {
 namespace {
 
@@ -50,7 +52,7 @@ class Builder {
   Structure structure;
 
   // A thread of elements through places; every element has slopes of its own.
-  void add_thread(const std::string& name, ElementKind kind, double radius, const std::vector<Place>& along) {
+  void add_thread(const std::string& name, PocketGroup group, double radius, const std::vector<Place>& along) {
     std::vector<std::int32_t> nodes;
     for (const auto& place : along) nodes.push_back(add_node(place));
     const auto thread = static_cast<std::int32_t>(structure.threads.size());
@@ -58,15 +60,16 @@ class Builder {
     for (std::size_t i = 0; i + 1 < along.size(); ++i) {
       const auto gradient = structure.gradient_count;
       structure.gradient_count += 2;
-      StructureElement element{{nodes[i], nodes[i + 1]}, {gradient, gradient + 1}, kind, thread, -1, 0, radius};
+      StructureElement element{
+          {nodes[i], nodes[i + 1]}, {gradient, gradient + 1}, index_of(group), thread, -1, 0, radius};
       element.length = (position(along[i + 1], 0) - position(along[i], 0)).norm();
-      if (kind == ElementKind::closing_rope) {
+      if (group == PocketGroup::closing_ropes) {
         element.rope = structure.rope_count;
         element.length = (position(along.back(), 0) - position(along.front(), 0)).norm() / kRopeElements;
       }
       structure.elements.push_back(element);
     }
-    if (kind == ElementKind::closing_rope) ++structure.rope_count;
+    if (group == PocketGroup::closing_ropes) ++structure.rope_count;
   }
 
   std::int32_t add_node(const Place& place) {
@@ -101,7 +104,7 @@ void add_panel(Builder& builder, int panel) {
     // Rows of the triangular part have as many meshes as their number.
     const int meshes = std::min(row, kColumns);
     const auto along = line({left, v}, {right, v}, meshes * kElementsPerSide);
-    if (row < kRows) builder.add_thread("row", ElementKind::net, 0.002, along);
+    if (row < kRows) builder.add_thread("row", PocketGroup::net, 0.002, along);
   }
   for (int row = 1; row < kLowerRows; ++row) {
     for (int i = 0; i <= row; ++i) {
@@ -109,27 +112,31 @@ void add_panel(Builder& builder, int panel) {
       for (const int next : {i, i + 1}) {
         const Place upper{left + static_cast<double>(next) / (row + 1), row + 1.0};
         const bool on_rod = (i == 0 && next == 0) || (i == row && next == row + 1);
-        if (!on_rod) builder.add_thread("diagonal", ElementKind::net, 0.002, line(knot, upper, kElementsPerSide));
+        if (!on_rod) builder.add_thread("diagonal", PocketGroup::net, 0.002, line(knot, upper, kElementsPerSide));
       }
     }
   }
   for (int i = 1; i < kColumns; ++i) {
-    builder.add_thread("column", ElementKind::net, 0.002,
+    builder.add_thread("column", PocketGroup::net, 0.002,
                        line({column(i), kLowerRows}, {column(i), kRows}, kUpperRows * kElementsPerSide));
   }
-  builder.add_thread("closing rope", ElementKind::closing_rope, 0.002,
+  builder.add_thread("closing rope", PocketGroup::closing_ropes, 0.002,
                      line({left, kRows}, {right, kRows}, kRopeElements));
 }
 
 Builder build() {
   Builder builder;
+  builder.structure.element_groups = pocket_groups();
+  NodeGroup roots{kRodRoots, NodeLook::adapter, {}}, kinks{kRodKinks, NodeLook::joint, {}},
+      tips{kRodTips, NodeLook::reel, {}};
   for (int rod = 0; rod < kRods; ++rod) {
     const double u = rod;
-    builder.add_thread("rod", ElementKind::rod, 0.05, line({u, 0}, {u, kRows}, kRodNodes - 1));
-    builder.structure.rod_roots.push_back(builder.add_node({u, 0}));
-    builder.structure.rod_kinks.push_back(builder.add_node({u, kLowerRows}));
-    builder.structure.rod_tips.push_back(builder.add_node({u, kRows}));
+    builder.add_thread("rod", PocketGroup::rods, 0.05, line({u, 0}, {u, kRows}, kRodNodes - 1));
+    roots.nodes.push_back(builder.add_node({u, 0}));
+    kinks.nodes.push_back(builder.add_node({u, kLowerRows}));
+    tips.nodes.push_back(builder.add_node({u, kRows}));
   }
+  builder.structure.node_groups = {roots, kinks, tips};
   for (int panel = 0; panel < kRods; ++panel) add_panel(builder, panel);
   builder.structure.node_count = static_cast<std::int32_t>(builder.places.size());
   return builder;
@@ -166,7 +173,7 @@ Snapshot make_snapshot(const Structure& structure, double time, double closed) {
     for (const auto gradient : element.gradient) snapshot.gradients.col(gradient) = chord.normalized();
     if (element.rope >= 0) snapshot.rope_element_length[element.rope] = chord.norm();
     const double height = (snapshot.positions(1, element.node[0]) + snapshot.positions(1, element.node[1])) / 2;
-    snapshot.tension[i] = element.kind == ElementKind::rod ? -20 : 40 * std::exp(-std::pow((height - 9) / 3, 2));
+    snapshot.tension[i] = element.group == index_of(PocketGroup::rods) ? -20 : 40 * std::exp(-std::pow((height - 9) / 3, 2));
     snapshot.strain[i] = snapshot.tension[i] / (12e9 * kPi * 0.002 * 0.002);
   }
   snapshot.bodies.resize(structure.bodies.size());

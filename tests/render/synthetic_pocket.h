@@ -2,8 +2,8 @@
 // A pocket made up for the tests of drawing: eight rods, triangular and square panels, closing ropes, spacecraft and
 // target at their places in case 1. No dynamics.
 
-#include "engine/recording/snapshot.h"
-#include "engine/recording/structure.h"
+#include "engine/state/snapshot.h"
+#include "engine/state/structure.h"
 
 namespace netpocket::synthetic {
 

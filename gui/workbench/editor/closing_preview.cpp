@@ -3,7 +3,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "engine/scenario/closing_law.h"
+#include "engine/control/closing_law.h"
 #include "engine/scenario/pocket_outline.h"
 #include "gui/workbench/panels/chart_view.h"
 

@@ -3,8 +3,8 @@
 #include <QFile>
 #include <QFileInfo>
 
-#include "engine/files/output_list.h"
-#include "engine/files/whole_file.h"
+#include "engine/base/output_list.h"
+#include "engine/base/whole_file.h"
 #include "engine/scenario/check_scenario.h"
 #include "engine/scenario/parameter_text.h"
 #include "engine/scenario/read_scenario.h"

@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/scenario/diagnostics.h"
+#include "engine/base/diagnostics.h"
 #include "engine/scenario/parameters.h"
 #include "engine/scenario/scenario.h"
 #include "gui/workbench/editor/recovery.h"

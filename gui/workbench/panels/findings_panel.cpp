@@ -11,9 +11,9 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "engine/files/output_list.h"
-#include "engine/files/whole_file.h"
-#include "engine/recording/report.h"
+#include "engine/analysis/report.h"
+#include "engine/base/output_list.h"
+#include "engine/base/whole_file.h"
 #include "gui/workbench/panels/ask_for_file.h"
 #include "gui/workbench/panels/icons.h"
 

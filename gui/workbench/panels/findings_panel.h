@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "engine/recording/summary.h"
+#include "engine/analysis/summary.h"
 
 class QLabel;
 class QTableWidget;

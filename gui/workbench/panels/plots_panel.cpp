@@ -113,9 +113,9 @@ void PlotsPanel::set_series(std::vector<RunSeries> runs) {
   request_redraw();
 }
 
-void PlotsPanel::append(std::size_t run, const std::array<double, kChannelCount>& channels) {
+void PlotsPanel::append(std::size_t run, const std::vector<double>& channels) {
   if (run >= runs_.size()) return;
-  for (std::size_t i = 0; i < kChannelCount; ++i) runs_[run].channels[i].push_back(channels[i]);
+  runs_[run].append(channels);
   request_redraw();
 }
 

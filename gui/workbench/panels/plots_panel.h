@@ -4,7 +4,6 @@
 
 #include <QTimer>
 #include <QWidget>
-#include <array>
 #include <optional>
 #include <vector>
 
@@ -26,8 +25,8 @@ class PlotsPanel : public QWidget {
   void set_series(std::vector<RunSeries> runs);
   const std::vector<RunSeries>& series() const { return runs_; }
 
-  // One more recorded frame of a run, by Channel. Without effect if there is no such run.
-  void append(std::size_t run, const std::array<double, kChannelCount>& channels);
+  // One more recorded frame of a run, by its channel_list. Without effect if there is no such run.
+  void append(std::size_t run, const std::vector<double>& channels);
 
   // When closing ends and towing starts in a run, s; NaN: unknown or never. Without effect if there is no such run.
   void set_phases(std::size_t run, double closing_end, double towing_start);

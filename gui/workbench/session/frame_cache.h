@@ -6,7 +6,7 @@
 #include <map>
 #include <memory>
 
-#include "engine/recording/snapshot.h"
+#include "engine/state/snapshot.h"
 #include "gui/workbench/simulation/worker_messages.h"
 
 namespace netpocket {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "engine/dynamics/checkpoint_log.h"
+#include "engine/capture/checkpoint_log.h"
 #include "engine/recording/recorder.h"
 #include "engine/recording/recording.h"
 

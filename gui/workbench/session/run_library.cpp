@@ -6,8 +6,8 @@
 #include <QFileInfo>
 #include <QUuid>
 
-#include "engine/dynamics/recorded_scenario.h"
-#include "engine/files/output_list.h"
+#include "engine/base/output_list.h"
+#include "engine/capture/recorded_scenario.h"
 
 namespace netpocket {
 namespace {
@@ -234,6 +234,7 @@ void RunLibrary::begin(RunId id, std::shared_ptr<const Structure> structure, con
   run->structure = std::move(structure);
   run->scenario = scenario;
   const RunOrigin origin = run_origin(scenario, origin_);
+  if (run->frame_count() == 0) run->series.begin(run->structure->channels);
   run->series.closing_end = origin.closing_end;
   run->series.towing_start = origin.towing_start;
   if (run->parent < 0) {
@@ -251,7 +252,7 @@ void RunLibrary::append(RunId id, const std::shared_ptr<const Snapshot>& frame, 
   // A branch begins with the frame that it has from its parent.
   if (run->frame_count() > 0 && frame->time <= run->end_time()) return;
   if (run->frame_count() == 0) run->first_frame = frame;
-  for (std::size_t i = 0; i < kChannelCount; ++i) run->series.channels[i].push_back(frame->channels[i]);
+  run->series.append(frame->channels);
   cache_.add(id, run->frame_count() - 1, frame);
   store([file = run->file, frame] { file->write(*frame); });
   emit frames_added(id);
@@ -293,6 +294,7 @@ void RunLibrary::set_scenario(RunId id, const Scenario& scenario) {
   if (run == nullptr) return;
   run->scenario = scenario;
   const RunOrigin origin = run_origin(scenario, origin_);
+  if (run->frame_count() == 0) run->series.begin(run->structure->channels);
   run->series.closing_end = origin.closing_end;
   run->series.towing_start = origin.towing_start;
   emit run_changed(id);

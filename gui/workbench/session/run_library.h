@@ -5,7 +5,7 @@
 #include <QObject>
 #include <map>
 
-#include "engine/dynamics/run.h"
+#include "engine/capture/run.h"
 #include "gui/workbench/session/frame_cache.h"
 #include "gui/workbench/session/run.h"
 #include "gui/workbench/session/run_folder.h"

@@ -1,6 +1,6 @@
 #include "gui/workbench/simulation/pocket_preview.h"
 
-#include "engine/pocket/pocket.h"
+#include "engine/systems/pocket/pocket.h"
 
 namespace netpocket {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <memory>
 
-#include "engine/recording/snapshot.h"
-#include "engine/recording/structure.h"
 #include "engine/scenario/scenario.h"
+#include "engine/state/snapshot.h"
+#include "engine/state/structure.h"
 
 namespace netpocket {
 

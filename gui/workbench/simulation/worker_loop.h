@@ -4,7 +4,7 @@
 #include <deque>
 #include <map>
 
-#include "engine/dynamics/simulation.h"
+#include "engine/capture/simulation.h"
 #include "gui/workbench/simulation/run_pace.h"
 #include "gui/workbench/simulation/simulation_worker.h"
 

@@ -8,12 +8,12 @@
 #include <string>
 #include <variant>
 
-#include "engine/dynamics/checkpoint_log.h"
-#include "engine/recording/run_status.h"
-#include "engine/recording/snapshot.h"
-#include "engine/recording/structure.h"
-#include "engine/scenario/diagnostics.h"
+#include "engine/base/diagnostics.h"
+#include "engine/capture/checkpoint_log.h"
 #include "engine/scenario/scenario.h"
+#include "engine/state/run_status.h"
+#include "engine/state/snapshot.h"
+#include "engine/state/structure.h"
 
 namespace netpocket {
 

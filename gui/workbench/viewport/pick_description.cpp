@@ -28,28 +28,15 @@ QString vector(const Eigen::Vector3d& v, const char* unit) {
   return QString("%1, %2, %3 %4").arg(number(v.x()), number(v.y()), number(v.z()), QString::fromUtf8(unit));
 }
 
-QString kind_name(ElementKind kind) {
-  switch (kind) {
-    case ElementKind::rod:
-      return tr("Element of a rod");
-    case ElementKind::closing_rope:
-      return tr("Element of a closing rope");
-    case ElementKind::net:
-      return tr("Element of the net");
-    case ElementKind::cable:
-      break;
-  }
-  return tr("Cable element");
-}
-
 PickDescription describe_element(const Pick& pick, const Structure& structure, const Snapshot& snapshot) {
   const auto& element = structure.elements[static_cast<std::size_t>(pick.index)];
   const double f = pick.fraction;
   const Eigen::Vector3d velocity =
       (1 - f) * snapshot.velocities.col(element.node[0]) + f * snapshot.velocities.col(element.node[1]);
-  PickDescription text{QString::fromStdString(structure.threads[static_cast<std::size_t>(element.thread)]),
-                       tr("%1, no. %2").arg(kind_name(element.kind)).arg(pick.index),
-                       {}};
+  PickDescription text{
+      QString::fromStdString(structure.threads[static_cast<std::size_t>(element.thread)]),
+      tr("Element of %1, no. %2").arg(QString::fromStdString(structure.group_of(element).member)).arg(pick.index),
+      {}};
   text.rows = {{tr("Tension"), quantity(snapshot.tension[pick.index], "N")},
                {tr("Strain"), quantity(snapshot.strain[pick.index], "")},
                {tr("Length"), quantity(current_length(snapshot, element), "m")},

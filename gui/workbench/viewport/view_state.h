@@ -4,8 +4,8 @@
 
 #include <memory>
 
-#include "engine/recording/snapshot.h"
-#include "engine/recording/structure.h"
+#include "engine/state/snapshot.h"
+#include "engine/state/structure.h"
 #include "render/scene/camera.h"
 #include "render/scene/scene_history.h"
 #include "render/scene/scene_options.h"

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "engine/ancf/cable_section.h"
-#include "engine/ancf/vector.h"
+#include "engine/math/vector.h"
 #include "tests/engine/verification_table.h"
 
 namespace netpocket::test {

@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "engine/ancf/vector.h"
+#include "engine/math/vector.h"
 
 namespace netpocket::test {
 

@@ -1,7 +1,7 @@
 #pragma once
 // Calls a test once for each instruction set that this processor has, the baseline first.
 
-#include "engine/ancf/instruction_set.h"
+#include "engine/math/instruction_set.h"
 
 namespace netpocket::test {
 

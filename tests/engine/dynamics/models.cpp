@@ -8,8 +8,8 @@
 #include "engine/ancf/mass.h"
 #include "engine/ancf/strain_pair.h"
 #include "engine/ancf/variable_length.h"
-#include "engine/dynamics/consistent_mass.h"
-#include "engine/dynamics/rope_dynamics.h"
+#include "engine/dynamics/assembly/consistent_mass.h"
+#include "engine/dynamics/ropes/rope_dynamics.h"
 
 namespace netpocket::test {
 
@@ -154,8 +154,8 @@ Momentum step_and_measure_momentum(CableSystem& system, double dt, ElementEvalua
     const ModelElement& e = model.elements[i];
     const double mass_per_length = model.materials[e.material].section.mass_per_length;
     NodalWeights lump = lumped_mass(mass_per_length, length[i]);
-    if (e.mate >= 0 && evaluation == ElementEvaluation::mean_strain && on_rope[i] == 0) {
-      move_from_middle(lump, e.node2 == model.elements[e.mate].node1);
+    if (e.strain_partner >= 0 && evaluation == ElementEvaluation::mean_strain && on_rope[i] == 0) {
+      move_from_middle(lump, e.node2 == model.elements[e.strain_partner].node1);
     }
     Eigen::Matrix4d mass = lump.asDiagonal();
     if (evaluation == ElementEvaluation::full && lumped[i] == 0) mass = consistent_mass(mass_per_length, length[i]);

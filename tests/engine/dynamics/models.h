@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/dynamics/cable_system.h"
+#include "engine/dynamics/system/cable_system.h"
 #include "engine/model/model.h"
 
 namespace netpocket::test {

@@ -102,7 +102,7 @@ TEST(Hostile, WrongAttributes) {
   const auto attribute = [](const char* object, const char* name, std::int64_t value) {
     return Tampered([=](hid_t file) { replace_count(file, object, name, value); }).reason();
   };
-  EXPECT_EQ(attribute("/", "format_version", 3), "its format is version 3, this program reads version 2");
+  EXPECT_EQ(attribute("/", "format_version", 4), "its format is version 4, this program reads versions 2 and 3");
   EXPECT_EQ(attribute("/", "format", 2), "it is not a Netpocket recording");
   EXPECT_EQ(attribute("/", "commit", 2), "attribute commit has the wrong type");
   EXPECT_EQ(attribute("/structure", "node_count", -1), "attribute node_count is out of range");
@@ -112,13 +112,13 @@ TEST(Hostile, WrongAttributes) {
   EXPECT_EQ(attribute("/frames/channels", "names", 1), "attribute names has the wrong type");
 }
 
-// Recordings by version 0.1 lack channels; those that it knew must be there.
+// A recording may lack any channel but the time; names are distinct.
 TEST(Hostile, MissingChannels) {
-  const auto without = [](Channel missing) {
+  const auto renamed = [](Channel old_name, const std::string& new_name) {
     std::string names;
-    for (const ChannelInfo& channel : kChannels) {
-      const bool is_missing = channel.name == channel_info(missing).name;
-      names += fmt::format("{}{}", names.empty() ? "" : ",", is_missing ? "another" : channel.name);
+    for (const ChannelInfo& channel : *known_channels()) {
+      const bool is_renamed = channel.name == channel_info(old_name).name;
+      names += fmt::format("{}{}", names.empty() ? "" : ",", is_renamed ? new_name : channel.name);
     }
     return Tampered([&names](hid_t file) {
              const hid_t type = H5Tcopy(H5T_C_S1);
@@ -128,9 +128,9 @@ TEST(Hostile, MissingChannels) {
            })
         .reason();
   };
-  EXPECT_EQ(without(Channel::contact_fy), "channel contact_fy is missing");
-  EXPECT_EQ(without(Channel::time), "channel time is missing");
-  EXPECT_EQ(without(Channel::spent_by_friction), "");
+  EXPECT_EQ(renamed(Channel::time, "another"), "there is no channel called time");
+  EXPECT_EQ(renamed(Channel::contact_fx, "contact_fy"), "two channels are called contact_fy");
+  EXPECT_EQ(renamed(Channel::contact_fy, "another"), "");
 }
 
 TEST(Hostile, WrongDatasets) {
@@ -144,7 +144,8 @@ TEST(Hostile, WrongDatasets) {
   EXPECT_EQ(dataset("/frames/step", H5T_NATIVE_INT64, {1ull << 40}), "/frames/step claims an impossible size");
   EXPECT_EQ(dataset("/structure/element_nodes", H5T_NATIVE_INT32, {1ull << 40, 2}),
             "/structure/element_nodes claims an impossible size");
-  EXPECT_EQ(dataset("/structure/element_kind", H5T_NATIVE_UINT8, {3}), "/structure/element_kind has the wrong length");
+  EXPECT_EQ(dataset("/structure/element_group", H5T_NATIVE_INT32, {3}),
+            "/structure/element_group has the wrong length");
   const std::string variable = Tampered([](hid_t file) {
                                  const hid_t type = H5Tcopy(H5T_C_S1);
                                  H5Tset_size(type, H5T_VARIABLE);
@@ -161,11 +162,14 @@ TEST(Hostile, WrongIndices) {
   EXPECT_EQ(last("/structure/element_nodes", 21), "element 19 names a node that does not exist");
   EXPECT_EQ(last("/structure/element_gradients", -1), "element 19 names a gradient that does not exist");
   EXPECT_EQ(last("/structure/element_thread", 2), "element 19 names a thread that does not exist");
-  EXPECT_EQ(last("/structure/element_kind", 4), "element 19 has an unknown kind");
+  EXPECT_EQ(last("/structure/element_group", 3), "element 19 names a group that does not exist");
+  EXPECT_EQ(last("/structure/group_look", 3), "the group of closing ropes has an unknown look");
+  EXPECT_EQ(last("/structure/node_group_look", 4), "the group of rod tips has an unknown look");
+  EXPECT_EQ(last("/structure/node_group_size", 3), "a group of nodes is larger than what is stored of it");
   EXPECT_EQ(last("/structure/body_shape", 5), "a body has an unknown shape");
   EXPECT_EQ(last("/structure/body_shape", 4), "a body names a mesh that does not exist");
   EXPECT_EQ(last("/structure/body_shape", 3), "a body has an impossible size or mass");
-  EXPECT_EQ(last("/structure/rod_tips", 21), "a rod names a node that does not exist");
+  EXPECT_EQ(last("/structure/node_group_nodes", 21), "the group of rod tips names a node that does not exist");
   EXPECT_EQ(last("/contacts/body", 3), "its contacts are damaged");
   EXPECT_EQ(last("/contacts/element", -2), "its contacts are damaged");
   EXPECT_EQ(last("/frames/contact_range", 1000000), "/contacts/position is shorter than expected");

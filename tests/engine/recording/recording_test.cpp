@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <ctime>
 #include <functional>
 #include <limits>
@@ -84,17 +86,16 @@ TEST(Recording, KeepsTheStructure) {
   EXPECT_EQ(found.gradient_count, expected.gradient_count);
   EXPECT_EQ(found.rope_count, expected.rope_count);
   EXPECT_EQ(found.threads, expected.threads);
-  EXPECT_EQ(found.rod_roots, expected.rod_roots);
-  EXPECT_EQ(found.rod_kinks, expected.rod_kinks);
-  EXPECT_EQ(found.rod_tips, expected.rod_tips);
+  EXPECT_EQ(found.element_groups, expected.element_groups);
+  EXPECT_EQ(found.node_groups, expected.node_groups);
   ASSERT_EQ(found.elements.size(), expected.elements.size());
   for (std::size_t i = 0; i < found.elements.size(); ++i) {
     const StructureElement& f = found.elements[i];
     const StructureElement& e = expected.elements[i];
     EXPECT_TRUE(std::equal(f.node, f.node + 2, e.node));
     EXPECT_TRUE(std::equal(f.gradient, f.gradient + 2, e.gradient));
-    EXPECT_EQ(std::tie(f.kind, f.thread, f.rope, f.length, f.radius),
-              std::tie(e.kind, e.thread, e.rope, e.length, e.radius));
+    EXPECT_EQ(std::tie(f.group, f.thread, f.rope, f.length, f.radius),
+              std::tie(e.group, e.thread, e.rope, e.length, e.radius));
   }
   ASSERT_EQ(found.bodies.size(), 3u);
   EXPECT_EQ(found.bodies[0].name, "spacecraft");
@@ -140,6 +141,39 @@ TEST(Recording, TakesAModelWithoutRopesBodiesAndElements) {
   expect_same(recording.frame(0), snapshot);
   EXPECT_TRUE(std::isnan(recording.origin().towing_start));
   EXPECT_EQ(recording.origin().scenario_text, "");
+}
+
+// A run of another kind of system brings its own channels.
+TEST(Recording, CarriesItsOwnChannels) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("own.h5");
+  const auto list = std::make_shared<const ChannelList>(
+      std::vector<ChannelInfo>{{"net_area", "m^2", "area of the net, seen along y", ChannelKind::value},
+                               {"time", "s", "simulated time", ChannelKind::value},
+                               {"reel_work", "J", "work of the reels so far", ChannelKind::total}});
+  Structure structure = synthetic_structure(20);
+  structure.channels = list;
+  {
+    Recorder recorder(path, synthetic_origin(), structure, false);
+    for (int i = 0; i < 3; ++i) {
+      Snapshot snapshot = synthetic_frame(structure, i);
+      snapshot.channel_list = list;
+      snapshot.channels = {1.5 * i, snapshot.time, -2.0 * i};
+      recorder.write(snapshot);
+    }
+    Snapshot foreign = synthetic_frame(structure, 3);
+    foreign.channel_list = known_channels();
+    foreign.channels.assign(known_channels()->size(), 0.0);
+    EXPECT_THROW(recorder.write(foreign), RecordingError);
+    recorder.finish({}, {});
+  }
+  const Recording recording(path);
+  ASSERT_TRUE(std::ranges::equal(*recording.channels(), *list));
+  EXPECT_EQ(recording.channel(2), (std::vector<double>{0, -2, -4}));
+  EXPECT_EQ(recording.frame(1).channels[0], 1.5);
+  EXPECT_EQ(recording.times()[2], recording.frame(2).time);
+  EXPECT_FALSE(recording.has_channel(Channel::contact_fy));
+  EXPECT_TRUE(std::isnan(recording.frame(1).channel(Channel::contact_fy)));
 }
 
 TEST(Recording, FindsTheNearestFrame) {

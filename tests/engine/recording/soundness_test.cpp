@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "engine/recording/report.h"
+#include "engine/analysis/report.h"
 #include "tests/engine/recording/synthetic_run.h"
 
 namespace netpocket {
@@ -20,7 +20,7 @@ Recording recording_with(const TemporaryFolder& folder, const Change& change) {
     Recorder recorder(folder.file("run.h5"), synthetic_origin(), structure, true);
     for (int i = 0; i < 3; ++i) {
       Snapshot frame = synthetic_frame(structure, i);
-      frame.channels.fill(0);
+      std::ranges::fill(frame.channels, 0.0);
       frame.channel(Channel::contact_step) = 12.34e-6;
       if (i == 1) change(frame);
       recorder.write(frame);
@@ -70,7 +70,7 @@ TEST(Soundness, NamesTheSafeguardsThatActed) {
   {
     Recorder recorder(folder.file("run.h5"), synthetic_origin(), structure, true);
     Snapshot frame = synthetic_frame(structure, 0);
-    frame.channels.fill(0);
+    std::ranges::fill(frame.channels, 0.0);
     frame.channel(Channel::stopped_blows) = 2;
     recorder.write(frame);
     frame.channel(Channel::stopped_blows) = 3;

@@ -6,6 +6,8 @@
 #include <iterator>
 #include <random>
 
+#include "engine/state/pocket_groups.h"
+
 namespace netpocket {
 
 Structure synthetic_structure(int elements) {
@@ -16,7 +18,7 @@ Structure synthetic_structure(int elements) {
   structure.threads = {"rod 1", "panel 1 row 1"};
   for (int i = 0; i < elements; ++i) {
     StructureElement element = {{i, i + 1}, {2 * i, 2 * i + 1}};
-    element.kind = i < 2 ? ElementKind::closing_rope : ElementKind::net;
+    element.group = index_of(i < 2 ? PocketGroup::closing_ropes : PocketGroup::net);
     element.thread = i % 2;
     element.rope = i < 2 ? i : -1;
     element.length = 0.5 + 0.001 * i;
@@ -26,9 +28,10 @@ Structure synthetic_structure(int elements) {
   structure.bodies = {{"spacecraft", BodyRole::spacecraft, Box{{1.6, 2.0, 1.6}}, 1210},
                       {"target", BodyRole::target, Sphere{4.5}, 200},
                       {"debris", BodyRole::other, Cylinder{0.4, 1.5}, 3}};
-  structure.rod_roots = {0, 1};
-  structure.rod_kinks = {2, 3};
-  structure.rod_tips = {4, elements};
+  structure.element_groups = pocket_groups();
+  structure.node_groups = {{kRodRoots, NodeLook::adapter, {0, 1}},
+                           {kRodKinks, NodeLook::joint, {2, 3}},
+                           {kRodTips, NodeLook::reel, {4, elements}}};
   return structure;
 }
 
@@ -67,7 +70,7 @@ Snapshot synthetic_frame(const Structure& structure, int index) {
   for (int c = 0; c < index % 5; ++c) {
     s.contacts.push_back({Eigen::Vector3d(c, index, 0.5), Eigen::Vector3d(0, -c, 2.5), c, 1});
   }
-  for (std::size_t c = 0; c < kChannelCount; ++c) s.channels[c] = std::sqrt(static_cast<double>(c + 1)) * index;
+  for (std::size_t c = 0; c < s.channels.size(); ++c) s.channels[c] = std::sqrt(static_cast<double>(c + 1)) * index;
   s.channel(Channel::time) = s.time;
   return s;
 }

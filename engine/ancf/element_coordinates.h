@@ -1,0 +1,40 @@
+#pragma once
+// Reading an element block's coordinates and writing its forces, for the kernels. To be included only by sources that
+// are compiled once per instruction set.
+
+#include "engine/ancf/element_batch.h"
+#include "engine/math/simd.h"
+
+namespace netpocket::simd {
+namespace {
+
+// Vectors of the coordinates of part `part` of a list of eight.
+NETPOCKET_INLINE SimdVector gather_coordinates(const double* rows, const std::int32_t* indices, int part) {
+  std::ptrdiff_t place[kWidth];
+  for (int i = 0; i < kWidth; ++i) {
+    const std::ptrdiff_t coordinate = indices[part * kWidth + i];
+    place[i] = coordinate / kBlock * (kVectorRows * kBlock) + coordinate % kBlock;
+  }
+  return gather3(rows, place);
+}
+
+NETPOCKET_INLINE SimdVector load_coordinate(const CoordinateRows& rows, const ElementBlock& block, int corner,
+                                            int part) {
+  if (block.base[corner] >= 0) {
+    const double* row = rows.first + static_cast<std::ptrdiff_t>(block.base[corner]) * kVectorRows;
+    const int rotation = block.rotation[corner];
+    return {load_rotated(row, part, rotation), load_rotated(row + kBlock, part, rotation),
+            load_rotated(row + 2 * kBlock, part, rotation)};
+  }
+  return gather_coordinates(rows.first, block.coordinate[corner], part);
+}
+
+// `row`: the first of the three force rows of a corner.
+NETPOCKET_INLINE void store3(double* out, int row, int part, const SimdVector& value) {
+  store(out + row * kBlock, part, value.x);
+  store(out + (row + 1) * kBlock, part, value.y);
+  store(out + (row + 2) * kBlock, part, value.z);
+}
+
+}  // namespace
+}  // namespace netpocket::simd

@@ -1,0 +1,188 @@
+#include "engine/capture/run.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "engine/capture/simulation.h"
+#include "engine/control/closing_law.h"
+#include "engine/recording/background_recorder.h"
+#include "engine/recording/recording.h"
+#include "engine/scenario/pocket_outline.h"
+#include "engine/scenario/write_scenario.h"
+
+namespace netpocket {
+namespace {
+
+// Part of an output interval: products and sums of times may be off a whole number of intervals by this much.
+constexpr double kRounding = 1e-6;
+
+// The times of the frames after the first: whole output intervals, and the end.
+class FrameTimes {
+ public:
+  explicit FrameTimes(const OutputParameters& output)
+      : output_(output),
+        count_(static_cast<std::int64_t>(std::ceil(output.end_time * output.frame_rate - kRounding))) {}
+
+  std::int64_t count() const { return count_; }
+  double at(std::int64_t index) const {
+    return index < count_ ? static_cast<double>(index) / output_.frame_rate : output_.end_time;
+  }
+  // The first frame after a time (s).
+  std::int64_t after(double time) const {
+    return static_cast<std::int64_t>(std::floor(time * output_.frame_rate + kRounding)) + 1;
+  }
+  // Whether a frame ends an output interval; the last one may lie in the midst of one.
+  bool is_whole(std::int64_t index) const {
+    return index < count_ || std::abs(output_.end_time * output_.frame_rate - static_cast<double>(count_)) < kRounding;
+  }
+
+ private:
+  OutputParameters output_;
+  std::int64_t count_;
+};
+
+// Records a simulation from where it is, frame by frame.
+class RecordedRun {
+ public:
+  RecordedRun(Simulation& simulation, BackgroundRecorder& recorder, const RunCallback& after_frame)
+      : simulation_(simulation), recorder_(recorder), after_frame_(after_frame), recorded_time_(simulation.time()) {}
+
+  // At the start of a run.
+  void record_start() {
+    // In this order: the first frame gives the recording its name, and from then on it must be resumable.
+    record_checkpoint();
+    record_state();
+  }
+
+  // Returns how it ended.
+  RunStatus record_frames(const std::stop_token& stop) {
+    const FrameTimes frames(simulation_.scenario().output);
+    next_checkpoint_ = simulation_.time() + kCheckpointInterval;
+    for (std::int64_t i = frames.after(simulation_.time()); i <= frames.count(); ++i) {
+      RunStatus status = simulation_.advance(frames.at(i), stop);
+      if (status.reason == RunReason::diverged && simulation_.time() > recorded_time_) record_state();
+      if (status.reason != RunReason::finished) return status;
+      record_state();
+      if (frames.is_whole(i) && simulation_.time() > next_checkpoint_ - kRounding) record_checkpoint();
+    }
+    return {RunReason::finished, simulation_.time(), "reached the end time"};
+  }
+
+ private:
+  void record_state() {
+    recorder_.write(simulation_.snapshot());
+    recorded_time_ = simulation_.time();
+    const double wall = std::chrono::duration<double>(Clock::now() - start_).count();
+    if (after_frame_) after_frame_({simulation_.time(), simulation_.scenario().output.end_time, wall});
+  }
+
+  void record_checkpoint() {
+    recorder_.write(take_checkpoint(simulation_));
+    next_checkpoint_ = simulation_.time() + kCheckpointInterval;
+  }
+
+  using Clock = std::chrono::steady_clock;
+
+  Simulation& simulation_;
+  BackgroundRecorder& recorder_;
+  const RunCallback& after_frame_;
+  Clock::time_point start_ = Clock::now();
+  double next_checkpoint_ = 0;  // s
+  double recorded_time_;        // s, of the last frame
+};
+
+// A storage failure must not hide how the run ended.
+void finish(BackgroundRecorder& recorder, RunResult& result) {
+  try {
+    recorder.finish(result.status, result.statistics);
+  } catch (const FileError& error) {
+    if (result.status.reason == RunReason::storage_failed) return;
+    result.status.reason = RunReason::storage_failed;
+    result.status.message += (result.status.message.empty() ? "" : "; ") + std::string(error.what());
+  }
+}
+
+RunResult record(Simulation& simulation, BackgroundRecorder& recorder, bool from_start, const RunCallback& after_frame,
+                 const std::stop_token& stop) {
+  RunResult result;
+  try {
+    RecordedRun run(simulation, recorder, after_frame);
+    if (from_start) run.record_start();
+    result.status = run.record_frames(stop);
+  } catch (const FileError& error) {
+    result.status = {RunReason::storage_failed, simulation.time(), error.what()};
+  }
+  result.statistics = simulation.statistics();
+  finish(recorder, result);
+  result.recorded = recorder.is_published();
+  return result;
+}
+
+// Begins a recording with what another one holds up to a time (s).
+void copy_until(const Recording& source, double time, BackgroundRecorder& recorder) {
+  const auto is_before = [time](double t) { return t <= time + kRounding; };
+  for (std::size_t i = 0; i < source.frame_count() && is_before(source.times()[i]); ++i)
+    recorder.write(source.frame(i));
+  const auto& checkpoints = source.checkpoint_times();
+  for (std::size_t i = 0; i < checkpoints.size() && is_before(checkpoints[i]); ++i) {
+    recorder.write(source.checkpoint(i));
+  }
+}
+
+}  // namespace
+
+RunOrigin run_origin(const Scenario& scenario, const RunOptions& options) {
+  RunOrigin origin;
+  origin.scenario_name = scenario.name;
+  origin.scenario_text = write_scenario_text(scenario);
+  origin.netpocket_version = options.version;
+  origin.commit = options.commit;
+  origin.command = options.command;
+  origin.seed = scenario.solver.seed;
+  origin.threads = options.threads;
+  origin.closing_end = ClosingSchedule(scenario.closing, open_tip_distance(scenario)).end();
+  if (scenario.towing.mode != TowingMode::none) origin.towing_start = scenario.towing.start;
+  return origin;
+}
+
+RunResult run_to_recording(const Scenario& scenario, const std::string& path, const RunOptions& options,
+                           const RunCallback& after_frame, const std::stop_token& stop) {
+  Simulation simulation(scenario, {options.threads});
+  BackgroundRecorder recorder(path, run_origin(scenario, options), simulation.structure(), options.overwrite);
+  return record(simulation, recorder, true, after_frame, stop);
+}
+
+std::string why_not_resumable(const Recording& recording, const RunOptions& options) {
+  const RunOrigin& origin = recording.origin();
+  if (origin.netpocket_version != options.version || origin.commit != options.commit) {
+    return fmt::format("netpocket {} ({}) recorded it and this is {} ({}), whose results may differ",
+                       origin.netpocket_version, origin.commit, options.version, options.commit);
+  }
+  if (recording.status().reason == RunReason::diverged) return "the run diverged and would do so again";
+  if (recording.checkpoint_times().empty()) return "it holds no state to resume from";
+  return "";
+}
+
+RunResult resume_recording(const std::string& source, const std::string& path, const RunOptions& options,
+                           double end_time, const RunCallback& after_frame, const std::stop_token& stop) {
+  const Recording recorded(source);
+  if (const std::string reason = why_not_resumable(recorded, options); !reason.empty()) throw ResumeError(reason);
+  const double time = recorded.checkpoint_times().back();
+  CheckpointLog log(recorded, time, {options.threads});
+  if (end_time > 0) log.set_end_time(end_time);
+  Simulation simulation = log.simulation_at(time);
+  RunOrigin origin = recorded.origin();
+  origin.scenario_text = write_scenario_text(log.scenario());
+  origin.command = options.command;
+  origin.threads = options.threads;
+  BackgroundRecorder recorder(path, origin, simulation.structure(), options.overwrite);
+  recorder.hold_back(recorded.frame_count());
+  copy_until(recorded, time, recorder);
+  // The last of several strategies holds the end time.
+  if (end_time > 0 && log.changes_strategy()) recorder.write(take_checkpoint(simulation, &simulation.scenario()));
+  return record(simulation, recorder, false, after_frame, stop);
+}
+
+}  // namespace netpocket

@@ -1,0 +1,430 @@
+#include "engine/capture/simulation.h"
+
+#include <fmt/format.h>
+#include <time.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <stdexcept>
+
+#include "engine/capture/channels.h"
+#include "engine/control/closing_law.h"
+#include "engine/control/closing_transition.h"
+#include "engine/control/towing.h"
+#include "engine/dynamics/stepping/step_choice.h"
+#include "engine/dynamics/system/cable_system.h"
+#include "engine/math/symmetric_algebra.h"
+#include "engine/scenario/parameters.h"
+#include "engine/scenario/strategy.h"
+#include "engine/systems/pocket/material_changes.h"
+#include "engine/systems/pocket/pocket.h"
+
+namespace netpocket {
+namespace {
+
+// Steps between two checks that the state is sound, and between two copies of a sound state.
+constexpr std::int64_t kFaultInterval = 256;
+constexpr std::int64_t kCopyInterval = 16 * kFaultInterval;
+// Longest time (s) for which the step stays what the cables' shape allowed at its start.
+constexpr double kLongestInterval = 0.01;
+// Ropes wound faster tear at the cords: ten times what a closing within 5 s needs.
+constexpr double kFastWinding = 30;  // m/s
+// Part of the first stable step below which no motion that means anything brings it.
+constexpr double kCollapse = 1e-3;
+constexpr double kMostStepsOfInterval = 1e9;
+// Counts that a double holds exactly.
+constexpr double kLargestCount = 9007199254740992.0;
+
+std::string step_text(double seconds) {
+  return seconds < 1e-3 ? fmt::format("{:.3g} µs", 1e6 * seconds) : fmt::format("{:.3g} ms", 1e3 * seconds);
+}
+
+// Of the threads that step a system: other runs of the process have theirs.
+double cpu_seconds(const CableSystem& system) {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec) + system.helpers_cpu_seconds();
+}
+
+double wall_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+SystemOptions system_options(const Scenario& scenario, const SimulationOptions& options) {
+  return {scenario.solver.evaluation == Evaluation::full ? ElementEvaluation::full : ElementEvaluation::mean_strain,
+          options.threads};
+}
+
+double total_mass(const Model& model) {
+  double mass = model.cable_mass();
+  for (const ModelBody& body : model.bodies) mass += body.mass;
+  return mass;
+}
+
+ClosingState state_of(const RopeMotion& motion) { return {motion.length, motion.rate, motion.acceleration}; }
+
+}  // namespace
+
+struct Simulation::Impl {
+  Impl(const Scenario& s, const SimulationOptions& options)
+      : scenario(s),
+        pocket(build_pocket(s)),
+        system(std::move(pocket.model), system_options(s, options)),
+        drive(s.towing, s.spacecraft.station_keeping, total_mass(system.model())),
+        material_changes(pocket, system, s),
+        channels(pocket),
+        step_choice(system),
+        winding(system.model().ropes.front().motion) {
+    perturb();
+  }
+
+  Scenario scenario;
+  Pocket pocket;  // its model is the system's
+  CableSystem system;
+  SpacecraftDrive drive;
+  MaterialChanges material_changes;
+  ChannelRecorder channels;
+  StepChoice step_choice;
+  std::function<RopeMotion(double)> winding;  // the present law, of all closing ropes
+  double closing_changed = -1;                // s, when the closing law was last changed; negative: never
+  ClosingState closing_then{};                // of the ropes at that time
+  double time_step = 0;                       // s, in the present interval
+  std::int64_t interval = -1;                 // stretch of equal steps, one or more to an output interval
+  std::int64_t interval_steps = 1, steps_in_interval = 0;
+  double wall = 0, cpu = 0;
+  std::vector<double> sound_state;  // a copy at step sound_step; empty: none yet
+  std::int64_t sound_step = 0;
+  std::int64_t checked_step = 0;             // at which the last check passed
+  std::vector<std::int64_t> snapshot_steps;  // at which snapshots have been taken since the copy
+  std::int64_t failed_step = 0;
+  double failed_step_size = 0;  // s
+  std::string defect;           // of a motion whose numbers are sound, since the last check; empty: none
+
+  // Small random displacements of the free net nodes, to see how asymmetry grows.
+  void perturb() {
+    if (scenario.solver.perturbation <= 0) return;
+    std::mt19937 generator(static_cast<std::uint32_t>(scenario.solver.seed));
+    std::uniform_real_distribution<double> uniform(-scenario.solver.perturbation, scenario.solver.perturbation);
+    std::vector<Eigen::Vector3d> displacements(system.model().nodes.size());
+    for (Eigen::Vector3d& displacement : displacements) {
+      for (double& component : displacement) component = uniform(generator);
+    }
+    system.displace(displacements);
+  }
+
+  // Goes over to the laws of another scenario at the present time.
+  void adopt(const Scenario& next) {
+    const bool closing_changes = std::ranges::any_of(
+        parameters(), [&](const Parameter& p) { return p.group() == "closing" && !(p.get(next) == p.get(scenario)); });
+    scenario = next;
+    sound_state.clear();  // the steps since would not repeat themselves
+    drive.change(next.towing, next.spacecraft.station_keeping, system.time());
+    material_changes.change(next, system.time());
+    if (!closing_changes) return;
+    closing_then = state_of(winding(system.time()));
+    closing_changed = system.time();
+    follow_changed_closing();
+  }
+
+  // The ropes go over to the scenario's law from where they were when it was changed.
+  void follow_changed_closing() {
+    const double open = system.model().ropes.front().motion(0).length;
+    winding = [transition = ClosingTransition(ClosingSchedule(scenario.closing, open), closing_changed, closing_then)](
+                  double time) {
+      const ClosingState state = transition.at(time);
+      return RopeMotion{state.length, state.speed, state.acceleration};
+    };
+    system.set_rope_motion(winding);
+  }
+
+  void visit_state(const std::function<void(double&)>& visit) {
+    material_changes.visit_state(visit);
+    system.visit_state(visit);
+    channels.visit_state(visit);
+    drive.visit_state(visit);
+    for (double* value : {&closing_changed, &closing_then.length, &closing_then.speed, &closing_then.acceleration}) {
+      visit(*value);
+    }
+    step_choice.visit_state(visit);
+    const auto visit_count = [&](std::int64_t& count) {
+      double value = static_cast<double>(count);
+      visit(value);
+      // Files hold states too: what is no count is none.
+      if (value >= -1 && value <= kLargestCount) count = static_cast<std::int64_t>(value);
+    };
+    visit_count(interval);
+    visit_count(interval_steps);
+    visit_count(steps_in_interval);
+    for (double* value : {&time_step, &wall, &cpu}) visit(*value);
+  }
+
+  std::string overload_text(double depth) const {
+    const std::string contact = system.deepest_contact();
+    return fmt::format("{} ({:.2g} m within the last {} s)",
+                       contact.empty() ? "a cord was pressed into a body" : contact, depth, kLongestInterval);
+  }
+
+  double intervals_of_frame() const { return std::ceil(1 / scenario.output.frame_rate / kLongestInterval); }
+
+  // Draws conclusions from the interval that ends now.
+  void end_interval() {
+    StepLimiter& limiter = step_choice.limiter();
+    limiter.follow_contacts();
+    if (limiter.overload() > 0 && defect.empty()) defect = overload_text(limiter.overload());
+    const bool frame_ends = (interval + 1) % static_cast<std::int64_t>(intervals_of_frame()) == 0;
+    if (!frame_ends || scenario.solver.time_step > 0) return;
+    const EnergyAudit energy = system.audit();
+    limiter.follow_energy(energy.aliased, energy.strain + std::abs(energy.input) + energy.spent.total());
+  }
+
+  // For an interval that ends at `end`, s.
+  double chosen_step(double end) {
+    const double step = scenario.solver.safety * step_choice.stable_step(winding, end);
+    if (interval > 0) return step;
+    // Displacements at the start may have put energy into waves that are too short for the step.
+    StepLimiter& limiter = step_choice.limiter();
+    limiter.anticipate_energy(system.aliased_energy(step), system.audit().strain);
+    return limiter.factor() * step;
+  }
+
+  double interval_length() const { return 1 / scenario.output.frame_rate / intervals_of_frame(); }
+  double interval_end() const { return static_cast<double>(interval + 1) * interval_length(); }
+
+  void begin_interval() {
+    const double begin = interval_end();
+    ++interval;
+    divide(begin, interval_length());
+  }
+
+  void divide_rest() { divide(system.time(), interval_end() - system.time()); }
+
+  // Divides what is left of the interval, which begins then and is that long, into equal steps.
+  void divide(double begin, double length) {
+    const double end = interval_end();
+    const double allowed = scenario.solver.time_step > 0 ? scenario.solver.time_step : chosen_step(end);
+    const double steps = std::ceil(length / allowed);  // which may be no number where the state is lost
+    interval_steps =
+        static_cast<std::int64_t>(steps < kMostStepsOfInterval ? std::max(1.0, steps) : kMostStepsOfInterval);
+    time_step = (end - begin) / static_cast<double>(interval_steps);
+    step_choice.note(time_step);
+    steps_in_interval = 0;
+  }
+
+  std::vector<double> state() {
+    std::vector<double> values;
+    values.reserve(sound_state.size());
+    visit_state([&](double& value) { values.push_back(value); });
+    return values;
+  }
+
+  void set_state(std::span<const double> values) {
+    std::size_t next = 0;
+    visit_state([&](double& value) { value = values[next++]; });
+    if (closing_changed >= 0) follow_changed_closing();
+    defect.clear();
+  }
+
+  void step() {
+    if (interval < 0 || steps_in_interval == interval_steps) begin_interval();
+    material_changes.apply(system.time());
+    system.control(pocket.spacecraft, drive.at(system.time(), system.motion(pocket.spacecraft)));
+    const auto unresolved = [this] {
+      return system.safeguards().stopped_blows + system.safeguards().unresolved_contacts;
+    };
+    const std::int64_t unresolved_before = unresolved();
+    StepLimiter& limiter = step_choice.limiter();
+    if (scenario.solver.time_step == 0 && limiter.factor() < 1) system.note_shortened_step();
+    system.step(time_step);
+    drive.note_step(system.exerted(pocket.spacecraft), system.motion(pocket.spacecraft), time_step);
+    limiter.note_penetration(system.penetration());
+    const bool is_unresolved = unresolved() > unresolved_before;
+    if (is_unresolved) limiter.note_unresolved_contacts();
+    if (++steps_in_interval == interval_steps) {
+      end_interval();
+    } else if (scenario.solver.time_step == 0 && (is_unresolved || step_choice.is_outgrown(time_step))) {
+      divide_rest();
+    }
+  }
+
+  // Says why the state is not sound, if so: then it is the last sound one again.
+  std::optional<RunStatus> check() {
+    auto fault = system.fault();
+    if (!fault) fault = collapse();
+    if (!fault && !defect.empty()) fault = defect;
+    if (!fault) {
+      checked_step = system.steps();
+      return std::nullopt;
+    }
+    return diverged(find_first_fault(*fault));
+  }
+
+  // Whether cords are strained so far, as by a failure before they fly apart, that nothing would ever come to an end.
+  std::optional<std::string> collapse() const {
+    const double first = scenario.solver.safety * step_choice.limiter().factor() * step_choice.first_stable_step();
+    if (interval < 0 || scenario.solver.time_step > 0 || time_step > kCollapse * first) return std::nullopt;
+    return fmt::format("cords are strained so far that the stable step has fallen from {:.3g} to {:.3g} s", first,
+                       time_step);
+  }
+
+  void keep_sound_state() {
+    sound_state = state();
+    sound_step = checked_step = system.steps();
+    snapshot_steps.clear();
+  }
+
+  // The state was sound some steps ago. Repeats these, with the snapshots taken meanwhile, one by one up to the one
+  // that failed and goes back to the state before it.
+  std::string find_first_fault(const std::string& latest) {
+    const std::int64_t end = system.steps();
+    set_state(sound_state);
+    std::optional<std::string> fault;
+    std::size_t next_snapshot = 0;
+    while (!fault && system.steps() < end) {
+      for (; next_snapshot < snapshot_steps.size() && snapshot_steps[next_snapshot] == system.steps();
+           ++next_snapshot) {
+        snapshot();
+      }
+      // The last check has passed: before it, speeds may have been higher for a moment, but came back.
+      const bool is_suspect = system.steps() >= checked_step;
+      if (is_suspect) sound_state = state();
+      step();
+      if (is_suspect) fault = system.fault();
+    }
+    failed_step = system.steps();
+    failed_step_size = time_step;
+    set_state(sound_state);
+    keep_sound_state();
+    return fault.value_or(latest);
+  }
+
+  Snapshot snapshot() {
+    Snapshot result;
+    result.channel_list = pocket.structure.channels;
+    result.channels.assign(result.channel_list->size(), 0.0);
+    const EnergyAudit energy = system.capture(result);
+    channels.fill(result, pocket.structure, system, energy, time_step);
+    return result;
+  }
+
+  // m/s, of the closing ropes up to now.
+  double fastest_winding() const {
+    const ClosingSchedule schedule(scenario.closing, system.model().ropes.front().motion(0).length);
+    const double start = schedule.start(), end = std::min(schedule.end(), system.time());
+    constexpr int kLooks = 1000;
+    double fastest = 0;
+    for (int i = 0; i <= kLooks && end > start; ++i) {
+      fastest = std::max(fastest, std::abs(winding(start + (end - start) * i / kLooks).rate));
+    }
+    return fastest;
+  }
+
+  // What is likely to help against a divergence.
+  std::string advice() const {
+    const double speed = fastest_winding();
+    if (speed > kFastWinding) {
+      return fmt::format(
+          "the likely cause is the closing, which winds ropes at up to {:.3g} m/s: close more slowly "
+          "(closing.duration is {:g} s)",
+          speed, scenario.closing.duration);
+    }
+    if (scenario.solver.time_step > 0) return fmt::format("try a solver.time_step below {:.3g} s", failed_step_size);
+    return fmt::format("try solver.safety below {}", scenario.solver.safety);
+  }
+
+  RunStatus diverged(const std::string& fault) const {
+    return {RunReason::diverged, system.time(),
+            fmt::format("{} in step {} of {}, at t = {:.4f} s; {}", fault, failed_step, step_text(failed_step_size),
+                        system.time(), advice())};
+  }
+};
+
+Simulation::Simulation(const Scenario& scenario, const SimulationOptions& options)
+    : impl_(std::make_unique<Impl>(scenario, options)) {}
+Simulation::~Simulation() = default;
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation& Simulation::operator=(Simulation&&) noexcept = default;
+
+const Scenario& Simulation::scenario() const { return impl_->scenario; }
+const Structure& Simulation::structure() const { return impl_->pocket.structure; }
+double Simulation::time() const { return impl_->system.time(); }
+
+RunStatus Simulation::advance(double until, const std::stop_token& stop) {
+  const double wall = wall_seconds(), cpu = cpu_seconds(impl_->system);
+  RunStatus status{RunReason::finished, 0, "reached the requested time"};
+  std::optional<RunStatus> failure;
+  if (impl_->sound_state.empty()) impl_->keep_sound_state();
+  // Half a step of tolerance: the sum of many steps is not exactly the time of a frame.
+  while (!failure && time() + 0.5 * impl_->time_step < until) {
+    if (stop.stop_requested()) {
+      status = {RunReason::stopped, 0, "stopped on request"};
+      break;
+    }
+    impl_->step();
+    if (impl_->system.steps() % kFaultInterval != 0) continue;
+    failure = impl_->check();
+    if (!failure && impl_->system.steps() >= impl_->sound_step + kCopyInterval) impl_->keep_sound_state();
+  }
+  if (!failure) failure = impl_->check();
+  if (failure) status = *failure;
+  status.time = time();
+  impl_->wall += wall_seconds() - wall;
+  impl_->cpu += cpu_seconds(impl_->system) - cpu;
+  return status;
+}
+
+Snapshot Simulation::snapshot() {
+  impl_->snapshot_steps.push_back(impl_->system.steps());
+  return impl_->snapshot();
+}
+
+std::vector<std::string> Simulation::change_strategy(const Scenario& wanted) {
+  std::vector<std::string> need_restart;
+  Scenario next = scenario();
+  for (const Parameter& parameter : parameters()) {
+    if (parameter.get(wanted) == parameter.get(next)) continue;
+    if (acts_at_once(parameter.key)) {
+      parameter.set(next, parameter.get(wanted));
+    } else {
+      need_restart.emplace_back(parameter.key);
+    }
+  }
+  impl_->adopt(next);
+  return need_restart;
+}
+
+std::vector<double> Simulation::checkpoint() const { return impl_->state(); }
+
+void Simulation::restore(std::span<const double> state) {
+  if (state.size() != checkpoint().size()) {
+    throw std::invalid_argument("the saved state does not belong to this scenario: it has another size");
+  }
+  impl_->set_state(state);
+  impl_->sound_state.clear();
+  if (const auto fault = impl_->system.fault()) {
+    throw std::invalid_argument("the saved state does not belong to this scenario: " + *fault);
+  }
+}
+
+RunStatistics Simulation::statistics() const {
+  RunStatistics result;
+  result.simulated_seconds = time();
+  result.wall_seconds = impl_->wall;
+  result.cpu_seconds = impl_->cpu;
+  result.steps = impl_->system.steps();
+  result.elements = static_cast<std::int32_t>(structure().elements.size());
+  result.coordinates = 3 * (structure().node_count + structure().gradient_count);
+  const SolverParameters& solver = impl_->scenario.solver;
+  const StepChoice& choice = impl_->step_choice;
+  const double given = solver.time_step;
+  result.time_step = std::isfinite(choice.smallest_step()) ? choice.smallest_step()
+                     : given > 0                           ? given
+                                                           : solver.safety * choice.first_stable_step();
+  result.step_limit = given > 0 ? "solver.time_step" : choice.limit();
+  result.evaluation = impl_->scenario.solver.evaluation == Evaluation::full ? "full" : "mean_strain";
+  return result;
+}
+
+}  // namespace netpocket

@@ -1,0 +1,73 @@
+#pragma once
+// What acts on coordinates besides the elements' internal forces: gravity and constant loads, and what each step adds
+// to them. Most coordinates bear nothing: blocks of coordinates that do are marked, so that the others need not be
+// read.
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "engine/dynamics/assembly/coordinate_vectors.h"
+
+namespace netpocket {
+
+class AppliedForces {
+ public:
+  explicit AppliedForces(std::int32_t coordinate_count)
+      : forces_(coordinate_count),
+        marks_(static_cast<std::size_t>(forces_.size() / kBlockSize), Mark::nothing),
+        constant_marks_(marks_) {}
+
+  // What acts always, N or N m. To be called before anything is added.
+  void set_constant(CoordinateVectors constant) {
+    constant_.reset();
+    forces_ = std::move(constant);
+    for (std::int32_t coordinate = 0; coordinate < forces_.size(); ++coordinate) {
+      if (forces_.get(coordinate) != Eigen::Vector3d::Zero()) mark(coordinate) = Mark::constant;
+    }
+    constant_marks_ = marks_;
+    const bool any = std::ranges::any_of(marks_, [](Mark mark) { return mark != Mark::nothing; });
+    if (any) constant_ = forces_;
+  }
+  // Null where nothing acts always.
+  const CoordinateVectors* constant() const { return constant_ ? &*constant_ : nullptr; }
+
+  // Begins a step.
+  void clear() {
+    for (const std::int32_t first : touched_) {
+      double* rows = forces_.data() + static_cast<std::ptrdiff_t>(first) * kVectorRows;
+      if (constant_) {
+        std::copy_n(constant_->rows().first + static_cast<std::ptrdiff_t>(first) * kVectorRows,
+                    kVectorRows * kBlockSize, rows);
+      } else {
+        std::fill_n(rows, kVectorRows * kBlockSize, 0.0);
+      }
+      mark(first) = constant_marks_[static_cast<std::size_t>(first / kBlockSize)];
+    }
+    touched_.clear();
+  }
+  void add(std::int32_t coordinate, const Eigen::Vector3d& force) {
+    if (mark(coordinate) != Mark::touched) {
+      mark(coordinate) = Mark::touched;
+      touched_.push_back(coordinate - coordinate % kBlockSize);
+    }
+    forces_.add(coordinate, force);
+  }
+
+  CoordinateRows rows() { return forces_.rows(); }
+  // By block of coordinates: 0 where nothing acts.
+  const std::uint8_t* loaded() const { return reinterpret_cast<const std::uint8_t*>(marks_.data()); }
+
+ private:
+  enum class Mark : std::uint8_t { nothing, constant, touched };
+  Mark& mark(std::int32_t coordinate) { return marks_[static_cast<std::uint32_t>(coordinate) / kBlockSize]; }
+
+  CoordinateVectors forces_;
+  std::optional<CoordinateVectors> constant_;
+  std::vector<Mark> marks_;            // by block of coordinates
+  std::vector<Mark> constant_marks_;   // of what acts always
+  std::vector<std::int32_t> touched_;  // first coordinates of blocks
+};
+
+}  // namespace netpocket

@@ -1,0 +1,22 @@
+#pragma once
+// The instruction-set variants of the search for the fastest coordinate. Internal to MotionBound.
+
+#include <cstddef>
+
+namespace netpocket::motion_kernel {
+
+// The largest of (weight |v|)^2 over `blocks` blocks of eight vectors (CoordinateRows), with a weight for each vector;
+// not a number where one of them is none.
+using Kernel = double (*)(const double* rows, const double* weights, std::size_t blocks);
+
+namespace baseline {
+double largest_square(const double* rows, const double* weights, std::size_t blocks);
+}  // namespace baseline
+namespace avx2 {
+double largest_square(const double* rows, const double* weights, std::size_t blocks);
+}  // namespace avx2
+namespace avx512 {
+double largest_square(const double* rows, const double* weights, std::size_t blocks);
+}  // namespace avx512
+
+}  // namespace netpocket::motion_kernel

@@ -1,0 +1,140 @@
+// Compiled once per instruction set, NETPOCKET_ISA_NAME being the variant's namespace.
+
+#include "engine/dynamics/assembly/update_kernel.h"
+
+#include "engine/math/simd.h"
+
+namespace netpocket::update_kernel::NETPOCKET_ISA_NAME {
+namespace {
+
+using namespace simd;
+
+NETPOCKET_INLINE const double* row_at(const UpdateView& view, std::int32_t row) {
+  return view.element_forces + static_cast<std::ptrdiff_t>(row) * kBlock;
+}
+
+template <bool kPrefetches>
+NETPOCKET_INLINE void add_regular(const UpdateView& view, const CoordinateBlock& block, int part, SimdVector& force) {
+  const BlockContribution* contribution = view.block_contributions + block.first;
+  for (std::int32_t i = 0; i < block.count; ++i, ++contribution) {
+    if (kPrefetches && part == 0) {
+      const double* later = row_at(view, contribution[kContributionsAhead].first_row);
+      __builtin_prefetch(later);
+      __builtin_prefetch(later + kBlock);
+      __builtin_prefetch(later + 2 * kBlock);
+    }
+    const double* rows = row_at(view, contribution->first_row);
+    const SimdVector resisting = {load_rotated(rows, part, contribution->rotation),
+                                  load_rotated(rows + kBlock, part, contribution->rotation),
+                                  load_rotated(rows + 2 * kBlock, part, contribution->rotation)};
+    force = force + broadcast(contribution->sign) * resisting;
+  }
+}
+
+NETPOCKET_INLINE void add_irregular(const UpdateView& view, const CoordinateBlock& block, int part, SimdVector& force) {
+  const LaneContribution* contribution = view.lane_contributions + block.first;
+  for (std::int32_t i = 0; i < block.count; ++i, ++contribution) {
+    if (contribution->coordinate_lane / kWidth != part) continue;
+    const double* rows =
+        row_at(view, first_force_row(contribution->element_block, contribution->corner)) + contribution->element_lane;
+    const double sign = contribution->corner == Corner::position2 ? 1.0 : -1.0;
+    const int lane = contribution->coordinate_lane % kWidth;
+    force.x[lane] += sign * rows[0];
+    force.y[lane] += sign * rows[kBlock];
+    force.z[lane] += sign * rows[2 * kBlock];
+  }
+}
+
+// Returns the new velocity.
+NETPOCKET_INLINE SimdDouble move(double* coordinate, double* velocity, int part, const SimdDouble& change,
+                                 const SimdDouble& drift) {
+  const SimdDouble v = load(velocity, part) + change;
+  store(velocity, part, v);
+  store(coordinate, part, load(coordinate, part) + drift * v);
+  return v;
+}
+
+// Of one kind of coordinates. Maxima do not see what is no number, sums do.
+struct LargestSquare {
+  SimdDouble largest = {}, sum = {};
+};
+NETPOCKET_INLINE void note(LargestSquare& of, const SimdDouble& square) {
+  of.largest = larger(of.largest, square);
+  of.sum = of.sum + square;
+}
+NETPOCKET_INLINE double value(const LargestSquare& of) {
+  double largest = 0, sum = 0;
+  for (int lane = 0; lane < kWidth; ++lane) {
+    largest = of.largest[lane] > largest ? of.largest[lane] : largest;
+    sum += of.sum[lane];
+  }
+  return sum != sum ? sum : largest;
+}
+
+template <bool kPrefetches>
+NETPOCKET_INLINE SimdVector force_on(const UpdateView& view, const CoordinateBlock& block, int part) {
+  SimdVector force = {};
+  if (view.loaded[block.coordinate_block] != 0) {
+    const double* applied =
+        view.applied.first + static_cast<std::ptrdiff_t>(block.coordinate_block) * (kVectorRows * kBlock);
+    force = {load(applied, part), load(applied + kBlock, part), load(applied + 2 * kBlock, part)};
+  }
+  if (block.regular) {
+    add_regular<kPrefetches>(view, block, part, force);
+  } else {
+    add_irregular(view, block, part, force);
+  }
+  return force;
+}
+
+template <bool kPrefetches>
+NETPOCKET_INLINE void move_block(const UpdateView& view, const CoordinateBlock& block, double kick, double drift,
+                                 LargestSquare& largest) {
+  const std::ptrdiff_t coordinate = static_cast<std::ptrdiff_t>(block.coordinate_block) * kBlock,
+                       row = coordinate * kVectorRows;
+  double *x = view.coordinates + row, *v = view.velocities + row;
+  for (int part = 0; part < kParts; ++part) {
+    const SimdVector force = force_on<kPrefetches>(view, block, part);
+    const SimdDouble gain = broadcast(kick) * load(view.inverse_mass + coordinate, part);
+    const SimdDouble vx = move(x, v, part, gain * force.x, broadcast(drift));
+    const SimdDouble vy = move(x + kBlock, v + kBlock, part, gain * force.y, broadcast(drift));
+    const SimdDouble vz = move(x + 2 * kBlock, v + 2 * kBlock, part, gain * force.z, broadcast(drift));
+    const SimdDouble weight = load(view.weight + coordinate, part);
+    note(largest, (weight * weight) * ((vx * vx + vz * vz) + vy * vy));
+  }
+}
+
+template <bool kPrefetches>
+NETPOCKET_INLINE Fastest move_blocks(const UpdateView& view, int first, int last, double kick, double drift) {
+  LargestSquare fastest[2];
+  const auto kind = [&](int i) { return view.blocks[i].coordinate_block < view.gradient_block ? 0 : 1; };
+  for (int i = first; i < last;) {
+    const int of_run = kind(i);
+    LargestSquare largest = fastest[of_run];  // in registers
+    for (; i < last && kind(i) == of_run; ++i) move_block<kPrefetches>(view, view.blocks[i], kick, drift, largest);
+    fastest[of_run] = largest;
+  }
+  return {value(fastest[0]), value(fastest[1])};
+}
+
+}  // namespace
+
+void sum_forces(const UpdateView& view, const std::int32_t* coordinate_blocks, std::size_t count, double* forces) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const CoordinateBlock& block = view.blocks[view.place[coordinate_blocks[i]]];
+    for (int part = 0; part < kParts; ++part) {
+      const SimdVector force = force_on<false>(view, block, part);
+      store(forces, part, force.x);
+      store(forces + kBlock, part, force.y);
+      store(forces + 2 * kBlock, part, force.z);
+    }
+    forces += kVectorRows * kBlock;
+  }
+}
+
+Fastest update(const UpdateView& view, int first, int last, double kick, double drift) {
+  return view.exceeds_cache ? move_blocks<true>(view, first, last, kick, drift)
+                            : move_blocks<false>(view, first, last, kick, drift);
+}
+
+}  // namespace netpocket::update_kernel::NETPOCKET_ISA_NAME

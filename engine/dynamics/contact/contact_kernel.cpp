@@ -1,0 +1,315 @@
+// Compiled once per instruction set, NETPOCKET_ISA_NAME being the variant's namespace. The formulas are those of
+// force_law.h, in the same notation.
+
+#include "engine/dynamics/contact/contact_kernel.h"
+
+#include "engine/ancf/element_coordinates.h"
+#include "engine/math/simd.h"
+
+namespace netpocket::contact_kernel::NETPOCKET_ISA_NAME {
+namespace {
+
+using namespace simd;
+
+NETPOCKET_INLINE SimdVector load3(const double (*rows)[kBlock], int part) {
+  return {load(rows[0], part), load(rows[1], part), load(rows[2], part)};
+}
+NETPOCKET_INLINE SimdVector broadcast3(const double* vector) {
+  return {broadcast(vector[0]), broadcast(vector[1]), broadcast(vector[2])};
+}
+
+// Vectors of the contacts' coordinates at a corner, in the blocks of ContactedCoordinates.
+NETPOCKET_INLINE SimdVector at_places(const double* rows, const ContactBlock& c, int corner, int part) {
+  std::ptrdiff_t place[kWidth];
+  for (int i = 0; i < kWidth; ++i) {
+    const int lane = part * kWidth + i;
+    place[i] = static_cast<std::ptrdiff_t>(c.place[corner][lane]) * (kVectorRows * kBlock) +
+               c.coordinate[corner][lane] % kBlock;
+  }
+  return gather3(rows, place);
+}
+
+// Of the body at the contact points.
+NETPOCKET_INLINE SimdVector body_velocity(const BodyMotion& body, const SimdVector& arm) {
+  return broadcast3(body.velocity) + cross(broadcast3(body.angular_velocity), arm);
+}
+
+// RigidBody::inverse_mass_at, and the largest in any direction.
+NETPOCKET_INLINE SimdDouble inverse_mass_along(const BodyMotion& body, const SimdVector& arm,
+                                               const SimdVector& direction) {
+  const SimdVector turn = cross(arm, direction);
+  const SimdVector spin = {dot(broadcast3(body.inverse_inertia[0]), turn),
+                           dot(broadcast3(body.inverse_inertia[1]), turn),
+                           dot(broadcast3(body.inverse_inertia[2]), turn)};
+  return broadcast(body.inverse_mass) + dot(turn, spin);
+}
+NETPOCKET_INLINE SimdDouble largest_inverse_mass(const BodyMotion& body, const SimdVector& arm) {
+  return broadcast(body.inverse_mass) + dot(arm, arm) * broadcast(body.largest_inverse_inertia);
+}
+
+// The cables' velocity at the contact points, in the order of element_curve.h.
+NETPOCKET_INLINE SimdVector combine(const ContactBlock& c, int part, const SimdVector& a, const SimdVector& b,
+                                    const SimdVector& d, const SimdVector& e) {
+  return (load(c.weight[0], part) * a + load(c.weight[1], part) * b) +
+         (load(c.weight[2], part) * d + load(c.weight[3], part) * e);
+}
+NETPOCKET_INLINE SimdVector velocity_at_coordinates(const double* rows, const ContactBlock& c, int part) {
+  return combine(c, part, gather_coordinates(rows, c.coordinate[0], part),
+                 gather_coordinates(rows, c.coordinate[1], part), gather_coordinates(rows, c.coordinate[2], part),
+                 gather_coordinates(rows, c.coordinate[3], part));
+}
+NETPOCKET_INLINE SimdVector velocity_at_places(const double* rows, const ContactBlock& c, int part) {
+  return combine(c, part, at_places(rows, c, 0, part), at_places(rows, c, 1, part), at_places(rows, c, 2, part),
+                 at_places(rows, c, 3, part));
+}
+
+// ContactedCoordinates::inverse_mass.
+NETPOCKET_INLINE SimdDouble shared_inverse_mass(const ForceView& view, const ContactBlock& c, int part) {
+  SimdDouble sum = {};
+  for (int corner = 0; corner < 4; ++corner) {
+    const SimdDouble weight = load(c.weight[corner], part);
+    std::ptrdiff_t coordinate[kWidth], place[kWidth];
+    for (int i = 0; i < kWidth; ++i) {
+      const int lane = part * kWidth + i;
+      coordinate[i] = c.coordinate[corner][lane];
+      place[i] = static_cast<std::ptrdiff_t>(c.place[corner][lane]) * kBlock + coordinate[i] % kBlock;
+    }
+    sum = sum + ((weight < broadcast(0.0) ? -weight : weight) * gather(view.shared_weight, place)) *
+                    gather(view.inverse_mass, coordinate);
+  }
+  return sum;
+}
+
+// stepped_normal_force, and what stops an approach that would pass the deepest penetration.
+struct Push {
+  SimdDouble force, is_stopped, is_unresolved;
+};
+NETPOCKET_INLINE Push normal_force(const ForceView& view, const ContactBlock& c, int part, const SimdDouble& elastic,
+                                   const SimdDouble& before, const SimdDouble& after, const SimdDouble& w) {
+  const SimdDouble dt = broadcast(view.dt), zero = broadcast(0.0), one = broadcast(1.0), half = broadcast(0.5);
+  const SimdDouble stiffness = load(c.stiffness, part), penetration = load(c.penetration, part);
+  const SimdDouble root = square_root(larger(penetration, zero));
+  const SimdDouble implicit = larger(broadcast(1.5) * stiffness * root * dt - one / (dt * w), zero);
+  const SimdDouble damping = load(c.damping, part) * square_root(root);
+  const SimdDouble unopposed = elastic - implicit * after - damping * half * (before + after);
+  const SimdDouble push = unopposed / (one + dt * w * (implicit + half * damping));
+  const SimdDouble allowed = larger(load(c.deepest, part) - penetration, zero) / dt;
+  const SimdDouble stopping = (-allowed - after) / (dt * w);
+  const SimdDouble force = larger(push, zero);
+  return {larger(force, stopping), stopping > force ? one : zero, implicit > zero ? one : zero};
+}
+
+NETPOCKET_INLINE SimdDouble spring_force(const ContactBlock& c, int part) {
+  const SimdDouble root = square_root(larger(load(c.penetration, part), broadcast(0.0)));
+  return load(c.stiffness, part) * root * root * root;
+}
+
+// sliding_resistance
+NETPOCKET_INLINE SimdDouble resistance(const ForceView& view, const SimdDouble& normal_force, const SimdDouble& speed,
+                                       const SimdDouble& w) {
+  const SimdDouble stopping = broadcast(1.0) / (w * broadcast(view.dt));
+  const SimdDouble coulomb = broadcast(view.friction) * normal_force / larger(speed, broadcast(view.friction_velocity));
+  return coulomb < stopping ? coulomb : stopping;
+}
+
+}  // namespace
+
+// The nearest point of a chain is no nearer than its nearest vertex, but for half a capsule's length: by Pythagoras.
+void vertices(const ElementBlock& block, const Vertex* vertices, std::size_t count, const CoordinateRows& coordinates,
+              const double* centre, double* rows) {
+  for (int part = 0; part < kParts; ++part) {
+    const SimdDouble length = load(block.length, part);
+    const SimdVector r1 = load_coordinate(coordinates, block, 0, part),
+                     g1 = load_coordinate(coordinates, block, 1, part);
+    const SimdVector r2 = load_coordinate(coordinates, block, 2, part),
+                     g2 = load_coordinate(coordinates, block, 3, part);
+    double* out = rows;
+    SimdDouble nearest = {}, longest = {};
+    SimdVector last = {};
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vertex& vertex = vertices[i];
+      const SimdVector point = (broadcast(vertex.position1) * r1 + (length * broadcast(vertex.gradient1)) * g1) +
+                               (broadcast(vertex.position2) * r2 + (length * broadcast(vertex.gradient2)) * g2);
+      const SimdVector arm = point - broadcast3(centre);
+      const SimdDouble square = dot(arm, arm);
+      store3(out, 0, part, point);
+      if (i == 0) {
+        nearest = square;
+      } else {
+        const SimdVector way = point - last;
+        nearest = square < nearest ? square : nearest;
+        longest = larger(longest, dot(way, way));
+      }
+      last = point;
+      out += kVectorRows * kBlock;
+    }
+    store(out, part, square_root(larger(nearest - broadcast(0.25) * longest, broadcast(0.0))));
+  }
+}
+
+namespace {
+
+NETPOCKET_INLINE SimdDouble smaller(const SimdDouble& a, const SimdDouble& b) { return a < b ? a : b; }
+
+// A capsule's axis against the sphere.
+struct Piece {
+  SimdVector start, along;      // from the sphere's centre
+  SimdDouble nearest;           // way along it, 0 to 1
+  SimdDouble depth;             // there
+  SimdDouble slope;             // of the depth there, 0 between the ends
+  SimdDouble at_start, at_end;  // depths
+};
+
+// A place in a piece: estimated depth, weight, and what both are worth.
+struct Estimate {
+  SimdDouble t, weight, score;
+};
+
+NETPOCKET_INLINE Piece make_piece(const SimdVector& start, const SimdVector& end, const SimdDouble& at_start,
+                                  const SimdDouble& at_end, const SimdDouble& thickness) {
+  const SimdDouble zero = broadcast(0.0), one = broadcast(1.0);
+  Piece piece{start, end - start, zero, zero, zero, at_start, at_end};
+  const SimdDouble square = dot(piece.along, piece.along);
+  const SimdDouble way = -dot(start, piece.along) / larger(square, broadcast(1e-300));
+  piece.nearest = smaller(larger(way, zero), one);
+  const SimdVector arm = start + piece.nearest * piece.along;
+  const SimdDouble distance = square_root(dot(arm, arm));
+  piece.depth = thickness - distance;
+  const SimdDouble slope = -dot(arm, piece.along) / distance;
+  piece.slope = way > zero && way < one ? zero : slope;
+  return piece;
+}
+
+// estimate_deepest of segment_contact.h, in the same notation; the weight rises or falls by a half along the piece.
+NETPOCKET_INLINE Estimate estimate(const Piece& piece, double at_start, double at_end) {
+  const SimdDouble zero = broadcast(0.0);
+  const SimdDouble rise = broadcast(at_end - at_start), here = broadcast(at_start) + rise * piece.nearest;
+  const SimdDouble end = broadcast(at_end > at_start ? 1.0 : 0.0),
+                   known = at_end > at_start ? piece.at_end : piece.at_start;
+  const SimdDouble way = end - piece.nearest;
+  const SimdDouble square_way = way * way;
+  const SimdDouble bend =
+      smaller((known - piece.depth - piece.slope * way) / larger(square_way, broadcast(1e-30)), zero);
+  const SimdDouble square = broadcast(6.0) * rise * bend;
+  const SimdDouble linear = broadcast(3.5) * rise * piece.slope + broadcast(5.0) * here * bend;
+  const SimdDouble constant = rise * piece.depth + broadcast(2.5) * here * piece.slope;
+  const SimdDouble root = square_root(larger(linear * linear - broadcast(4.0) * square * constant, zero));
+  const SimdDouble divisor = root - linear;
+  const SimdDouble found = broadcast(2.0) * constant / (divisor == zero ? broadcast(1e-300) : divisor);
+  const SimdDouble x = smaller(larger(found, smaller(way, zero)), larger(way, zero));
+  const SimdDouble depth = piece.depth + piece.slope * x + bend * x * x;
+  const SimdDouble weight = here + rise * x;
+  const SimdDouble score = weight * weight * ((depth * depth) * (depth * depth) * depth);
+  return {piece.nearest + x, weight, piece.depth > zero ? score : broadcast(-1.0)};
+}
+
+// Of two pieces the one that counts more, and its number.
+struct Choice {
+  Estimate estimate;
+  SimdDouble number;
+};
+NETPOCKET_INLINE Choice better(const Choice& a, const Choice& b) {
+  const auto second = b.estimate.score > a.estimate.score;
+  return {{second ? b.estimate.t : a.estimate.t, second ? b.estimate.weight : a.estimate.weight,
+           second ? b.estimate.score : a.estimate.score},
+          second ? b.number : a.number};
+}
+
+NETPOCKET_INLINE void store_choice(const Piece* pieces, const Choice& choice, const SimdDouble& thickness, int holder,
+                                   int part, SpherePlaces& places) {
+  SimdDouble depth = broadcast(0.0);
+  for (int i = 0; i < 4; ++i) {
+    const SimdVector arm = pieces[i].start + choice.estimate.t * pieces[i].along;
+    const SimdDouble here = thickness - square_root(dot(arm, arm));
+    depth = choice.number == broadcast(static_cast<double>(i)) ? here : depth;
+  }
+  store(places.place[holder], part, choice.number + choice.estimate.t);
+  store(places.depth[holder], part, choice.estimate.score > broadcast(0.0) ? depth : broadcast(0.0));
+  store(places.share[holder], part, choice.estimate.weight);
+}
+
+}  // namespace
+
+void sphere_places(const double* vertices, const double* centre, const double* thickness, SpherePlaces& places) {
+  for (int part = 0; part < kParts; ++part) {
+    const SimdDouble thick = load(thickness, part);
+    SimdVector arm[5];
+    SimdDouble depth[5];
+    for (int i = 0; i < 5; ++i) {
+      const double* row = vertices + i * kVectorRows * kBlock;
+      arm[i] = SimdVector{load(row, part), load(row + kBlock, part), load(row + 2 * kBlock, part)} - broadcast3(centre);
+      depth[i] = thick - square_root(dot(arm[i], arm[i]));
+    }
+    Piece pieces[4];
+    SimdDouble deepest = depth[0];
+    for (int i = 0; i < 4; ++i) {
+      pieces[i] = make_piece(arm[i], arm[i + 1], depth[i], depth[i + 1], thick);
+      deepest = larger(deepest, pieces[i].depth);
+    }
+    store(places.clearance, part, -deepest);
+    if (are_all_negative(deepest)) continue;
+    const auto choose = [&](int first, double a, double b, double c) {
+      return better({estimate(pieces[first], a, b), broadcast(static_cast<double>(first))},
+                    {estimate(pieces[first + 1], b, c), broadcast(static_cast<double>(first + 1))});
+    };
+    store_choice(pieces, choose(0, 1, 0.5, 0), thick, 0, part, places);
+    store_choice(pieces, better(choose(0, 0, 0.5, 1), choose(2, 1, 0.5, 0)), thick, 1, part, places);
+    store_choice(pieces, choose(2, 0, 0.5, 1), thick, 2, part, places);
+  }
+}
+
+void forces(const ForceView& view, const BodyMotion& body, ContactBlock* contacts, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    ContactBlock& c = contacts[i];
+    for (int part = 0; part < kParts; ++part) {
+      const SimdVector normal = load3(c.normal, part);
+      const SimdVector arm = load3(c.point, part) - broadcast3(body.position);
+      const SimdVector surface = body_velocity(body, arm);
+      const SimdDouble of_cord = shared_inverse_mass(view, c, part);
+      const SimdDouble factor = broadcast(view.inertia_factor), contacts_of_body = broadcast(body.contacts);
+      const SimdDouble w = factor * (of_cord + contacts_of_body * inverse_mass_along(body, arm, normal));
+      const SimdDouble across = factor * (of_cord + contacts_of_body * largest_inverse_mass(body, arm));
+      const SimdVector before = velocity_at_coordinates(view.velocities, c, part) - surface;
+      const SimdDouble approach = dot(before, normal);
+      const SimdVector after = velocity_at_places(view.predicted, c, part) - surface;
+      const SimdDouble separation = dot(after, normal);
+      const SimdDouble elastic = spring_force(c, part), share = load(c.share, part);
+      const auto [push, is_stopped, is_unresolved] = normal_force(view, c, part, elastic, approach, separation, w);
+      const SimdVector sliding = after - separation * normal;
+      const SimdVector force =
+          push * normal - resistance(view, push, square_root(dot(sliding, sliding)), across) * sliding;
+      const SimdVector shared_force = share * force;
+      const SimdDouble shared_push = share * push, shared_elastic = share * elastic;
+      store3(c.force[0], 0, part, shared_force);
+      store(c.normal_force, part, shared_push);
+      store(c.elastic, part, shared_elastic);
+      store(c.damping_power, part, -((shared_push - shared_elastic) * approach));
+      store(c.friction_power, part, shared_push * approach - dot(shared_force, before));
+      store(c.is_stopped, part, is_stopped);
+      store(c.is_unresolved, part, is_unresolved);
+    }
+  }
+}
+
+ContactPower power(const CoordinateRows& velocities, const BodyMotion& body, const ContactBlock* contacts,
+                   std::size_t count) {
+  SimdDouble damping[kParts] = {}, friction[kParts] = {};
+  for (std::size_t i = 0; i < count; ++i) {
+    const ContactBlock& c = contacts[i];
+    for (int part = 0; part < kParts; ++part) {
+      const SimdVector arm = load3(c.point, part) - broadcast3(body.position), normal = load3(c.normal, part);
+      const SimdVector velocity = velocity_at_coordinates(velocities.first, c, part) - body_velocity(body, arm);
+      const SimdDouble separation = dot(velocity, normal), push = load(c.normal_force, part);
+      damping[part] = damping[part] - (push - load(c.elastic, part)) * separation;
+      friction[part] = friction[part] - (dot(load3(c.force, part), velocity) - push * separation);
+    }
+  }
+  ContactPower total;
+  for (int lane = 0; lane < kBlock; ++lane) {
+    total.damping += damping[lane / kWidth][lane % kWidth];
+    total.friction += friction[lane / kWidth][lane % kWidth];
+  }
+  return total;
+}
+
+}  // namespace netpocket::contact_kernel::NETPOCKET_ISA_NAME

@@ -1,0 +1,311 @@
+#include "engine/dynamics/contact/contact_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/dynamics/contact/cord_chain.h"
+#include "engine/math/instruction_set.h"
+#include "engine/math/symmetric_algebra.h"
+
+namespace netpocket {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr int kSegments = CordPolyline::kSegments;
+constexpr int kSegmentsOfHalf = kSegments / ContactSearch::kHalves;
+
+// Of a sphere, in lengths of an element, from which on parabolas follow its surface along a capsule.
+constexpr double kLargeSphere = 1;
+
+struct SearchKernels {
+  contact_kernel::VertexKernel vertices;
+  contact_kernel::SphereKernel sphere;
+};
+
+const SearchKernels& search_kernels() {
+  using namespace contact_kernel;
+  static const SearchKernels chosen = {
+      choose_variant(baseline::vertices, avx2::vertices, avx512::vertices),
+      choose_variant(baseline::sphere_places, avx2::sphere_places, avx512::sphere_places)};
+  return chosen;
+}
+
+// Below those of places that touch, in the same order.
+double score_apart(const WeightedPlace& place) {
+  return -1 / (std::numeric_limits<double>::min() + std::max(place.score(), 0.0));
+}
+
+}  // namespace
+
+ContactSearch::ContactSearch(const Model& model, std::span<const std::int32_t> next, std::int32_t body)
+    : parts_(contact_parts(model.bodies[static_cast<std::size_t>(body)].shape)),
+      bounding_radius_(netpocket::bounding_radius(model.bodies[static_cast<std::size_t>(body)].shape)),
+      smallest_radius_(kNever),
+      next_(next.begin(), next.end()),
+      previous_(previous_elements(next_)) {
+  for (int i = 0; i <= kSegments; ++i) {
+    const NodalWeights weights = shape(2.0 * i / kSegments - 1, 1.0);
+    vertices_.push_back({weights[0], weights[1], weights[2], weights[3]});
+  }
+  const std::size_t padded = (model.elements.size() + kBlockSize - 1) / kBlockSize * kBlockSize;
+  radius_.assign(padded, -1.0);
+  due_.assign(padded, kNever);
+  block_due_.assign(padded / kBlockSize, kNever);
+  double longest = 0;
+  for (std::int32_t i = 0; i < static_cast<std::int32_t>(model.elements.size()); ++i) {
+    if (!is_touchable(model, i, body)) continue;
+    radius_[static_cast<std::size_t>(i)] = model.radius_of(i);
+    smallest_radius_ = std::min(smallest_radius_, model.radius_of(i));
+    longest = std::max(longest, model.elements[static_cast<std::size_t>(i)].length);
+  }
+  rows_.resize(static_cast<std::size_t>((kSegments + 1) * kVectorRows + 1) * kBlockSize);
+  is_large_sphere_ = std::holds_alternative<Sphere>(parts_.front().solid) && bounding_radius_ > kLargeSphere * longest;
+  holder_touch_.resize(parts_.size());
+  forget();
+}
+
+// A cord that is clamped to the body touches it by that.
+bool ContactSearch::is_touchable(const Model& model, std::int32_t element, std::int32_t body) {
+  const ModelElement& e = model.elements[static_cast<std::size_t>(element)];
+  const auto is_attached = [&](std::int32_t node) {
+    const ModelNode& n = model.nodes[static_cast<std::size_t>(node)];
+    return n.support == Support::body && n.body == body;
+  };
+  return model.bodies[static_cast<std::size_t>(body)].touches_cables && !is_attached(e.node1) &&
+         !is_attached(e.node2) && model.radius_of(element) > 0;
+}
+
+void ContactSearch::forget() {
+  approach_ = 0;
+  for (std::size_t i = 0; i < due_.size(); ++i) due_[i] = radius_[i] > 0 ? 0 : kNever;
+  for (std::size_t block = 0; block < block_due_.size(); ++block) set_due(static_cast<std::int32_t>(block));
+  least_due_ = 0;
+}
+
+void ContactSearch::set_due(std::int32_t block) {
+  const double* due = due_.data() + static_cast<std::ptrdiff_t>(block) * kBlockSize;
+  double least = due[0];
+  for (int lane = 1; lane < kBlockSize; ++lane) least = due[lane] < least ? due[lane] : least;
+  block_due_[static_cast<std::size_t>(block)] = least;
+}
+
+void ContactSearch::find(const CoordinateVectors& coordinates, const ElementBatch& batch, const DynamicBody& body,
+                         double ahead, std::vector<CordTouch>& touches) {
+  touches.clear();
+  const Vector3d centre = body.centre();
+  const double limit = approach_ + ahead;
+  if (least_due_ > limit) return;
+  const auto blocks = static_cast<std::int32_t>(block_due_.size());
+  for (std::int32_t block = 0; block < blocks; ++block) {
+    if (block_due_[static_cast<std::size_t>(block)] > limit) continue;
+    search_kernels().vertices(batch.block(block), vertices_.data(), vertices_.size(), coordinates.rows(), centre.data(),
+                              rows_.data());
+    if (is_large_sphere_ && ahead == 0) {
+      look_at_sphere(block, body, touches);
+    } else {
+      look_at_lanes(block, body, ahead, touches);
+    }
+    set_due(block);
+  }
+  least_due_ = kNever;
+  for (const double due : block_due_) least_due_ = std::min(least_due_, due);
+  for (const auto& [part, holder] : taken_) holder_touch_[static_cast<std::size_t>(part)][holder] = -1;
+  taken_.clear();
+}
+
+ContactSearch::Chain ContactSearch::chain_of_lane(int lane) const {
+  Chain chain;
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const double* row = rows_.data() + i * kVectorRows * kBlockSize + lane;
+    chain[i] = {row[0], row[kBlockSize], row[2 * kBlockSize]};
+  }
+  return chain;
+}
+
+// The same as look_at_lanes to round-off, eight elements at once.
+void ContactSearch::look_at_sphere(std::int32_t block, const DynamicBody& body, std::vector<CordTouch>& touches) {
+  const Vector3d centre = body.centre();
+  const std::size_t first = static_cast<std::size_t>(block) * kBlockSize;
+  alignas(64) double thickness[kBlockSize];
+  bool is_near = false;
+  const double* from_centre = rows_.data() + (kSegments + 1) * kVectorRows * kBlockSize;
+  for (int lane = 0; lane < kBlockSize; ++lane) {
+    const std::size_t element = first + static_cast<std::size_t>(lane);
+    thickness[lane] = bounding_radius_ + std::max(radius_[element], 0.0);
+    const double clearance = from_centre[lane] - thickness[lane];
+    is_near = is_near || (radius_[element] > 0 && !(clearance > 0));
+    if (radius_[element] > 0) due_[element] = approach_ + std::max(clearance, 0.0);
+  }
+  if (!is_near) return;
+  contact_kernel::SpherePlaces places;
+  search_kernels().sphere(rows_.data(), centre.data(), thickness, places);
+  for (int lane = 0; lane < kBlockSize; ++lane) {
+    const std::size_t element = first + static_cast<std::size_t>(lane);
+    if (radius_[element] < 0) continue;
+    const double clearance = places.clearance[lane];
+    due_[element] = clearance > 0 ? approach_ + clearance : approach_;
+    if (clearance > 0) continue;
+    for (const Holder holder : {kFirst, kMiddle, kSecond}) {
+      const double depth = places.depth[holder][lane];
+      if (!(depth > 0) || !(places.share[holder][lane] > 0)) continue;
+      const int segment = std::min(static_cast<int>(places.place[holder][lane]), kSegments - 1);
+      const double t = places.place[holder][lane] - segment;
+      const auto vertex = [&](int i) -> Vector3d {
+        const double* row = rows_.data() + static_cast<std::size_t>(i) * kVectorRows * kBlockSize + lane;
+        return {row[0], row[kBlockSize], row[2 * kBlockSize]};
+      };
+      const Vector3d start = vertex(segment), point = start + t * (vertex(segment + 1) - start);
+      const Vector3d arm = point - centre;
+      const WeightedPlace found{t, places.share[holder][lane], depth};
+      add(holder,
+          {.element = static_cast<std::int32_t>(element),
+           .segment = segment,
+           .t = t,
+           .share = found.weight,
+           .penetration = depth,
+           .score = found.score(),
+           .normal = arm / symmetric_norm(arm),
+           .point = point},
+          touches);
+    }
+  }
+}
+
+void ContactSearch::look_at_lanes(std::int32_t block, const DynamicBody& body, double ahead,
+                                  std::vector<CordTouch>& touches) {
+  const double* from_centre = rows_.data() + (kSegments + 1) * kVectorRows * kBlockSize;
+  for (int lane = 0; lane < kBlockSize; ++lane) {
+    const std::int32_t element = block * kBlockSize + lane;
+    const double radius = radius_[static_cast<std::size_t>(element)];
+    if (radius < 0 || due_[static_cast<std::size_t>(element)] > approach_ + ahead) continue;
+    double clearance = from_centre[lane] - bounding_radius_ - radius;
+    if (!(clearance > ahead)) clearance = look_at_element(element, chain_of_lane(lane), body, ahead, touches);
+    // Of a lost state it is no number, and stays due.
+    due_[static_cast<std::size_t>(element)] = clearance > 0 ? approach_ + clearance : approach_;
+  }
+}
+
+// Least distance of the element's surface from the body's (m), or a lower bound where that is more than `ahead`.
+double ContactSearch::look_at_element(std::int32_t element, const Chain& world, const DynamicBody& body, double ahead,
+                                      std::vector<CordTouch>& touches) {
+  Chain local;
+  for (std::size_t i = 0; i < local.size(); ++i) {
+    local[i] = symmetric_transposed_product(body.rigid().rotation(), world[i] - body.centre());
+  }
+  double least = kNever;
+  for (std::size_t part = 0; part < parts_.size(); ++part) {
+    least = std::min(least, look_at_part(element, static_cast<std::int32_t>(part), world, local, body, ahead, touches));
+  }
+  return least;
+}
+
+double ContactSearch::look_at_part(std::int32_t element, std::int32_t part, const Chain& world, const Chain& local,
+                                   const DynamicBody& body, double ahead, std::vector<CordTouch>& touches) {
+  const ContactPart& solid = parts_[static_cast<std::size_t>(part)];
+  const double radius = radius_[static_cast<std::size_t>(element)];
+  if (parts_.size() > 1) {
+    double nearest = kNever, longest = 0;
+    for (std::size_t i = 0; i < local.size(); ++i) {
+      nearest = std::min(nearest, symmetric_norm(local[i] - solid.centre));
+      if (i > 0) longest = std::max(longest, symmetric_norm(local[i] - local[i - 1]));
+    }
+    const double clearance = nearest - 0.5 * longest - solid.bounding_radius - radius;
+    if (clearance > ahead) return clearance;
+  }
+  Contacts contacts;
+  double least = kNever;
+  bool is_near = false;
+  std::array<SurfacePoint, kSegments + 1> vertices;
+  for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i] = solid.nearest(local[i]);
+  for (std::size_t i = 0; i < kSegments; ++i) {
+    contacts[i] = nearest_on_segment(solid, {local[i], local[i + 1]}, {&vertices[i], &vertices[i + 1]}, radius + ahead);
+    least = std::min(least, contacts[i].distance - radius);
+    is_near = is_near || contacts[i].is_near;
+  }
+  if (!is_near) return least;
+  const Candidate first = best_in_half(contacts, radius, ahead, 0, false);
+  const Candidate before = best_in_half(contacts, radius, ahead, 0, true);
+  const Candidate behind = best_in_half(contacts, radius, ahead, 1, false);
+  const Candidate second = best_in_half(contacts, radius, ahead, 1, true);
+  const bool is_before = behind.segment < 0 || (before.segment >= 0 && before.score > behind.score);
+  const Meeting meeting{element, part, world, local, contacts, body, ahead};
+  touch(meeting, kFirst, first, touches);
+  touch(meeting, kMiddle, is_before ? before : behind, touches);
+  touch(meeting, kSecond, second, touches);
+  return least;
+}
+
+// Of one half of the element and the holder at its end or at its start: the piece that counts most.
+ContactSearch::Candidate ContactSearch::best_in_half(const Contacts& contacts, double radius, double ahead, int half,
+                                                     bool towards_end) {
+  Candidate best{};
+  best.segment = -1;
+  for (int i = 0; i < kSegmentsOfHalf; ++i) {
+    const int segment = half * kSegmentsOfHalf + i;
+    const SegmentContact& contact = contacts[static_cast<std::size_t>(segment)];
+    if (!contact.is_near) continue;
+    const double from = static_cast<double>(i) / kSegmentsOfHalf, to = static_cast<double>(i + 1) / kSegmentsOfHalf;
+    const PieceWeight weight = towards_end ? PieceWeight{from, to} : PieceWeight{1 - from, 1 - to};
+    const double score = contact.distance < radius ? estimate_deepest(contact, radius, weight).score()
+                                                   : score_apart(estimate_deepest(contact, radius + ahead, weight));
+    if (best.segment < 0 || score > best.score) best = {segment, weight, score};
+  }
+  return best;
+}
+
+// Nodes are shared by elements that go on with each other. An element's index has room for its node and its middle, and
+// for its second node where its cord ends.
+std::size_t ContactSearch::holder_index(std::int32_t element, Holder holder) const {
+  constexpr std::size_t kHolders = 3;
+  const std::int32_t next = next_[static_cast<std::size_t>(element)];
+  if (holder == kSecond && next >= 0) return static_cast<std::size_t>(next) * kHolders;
+  return static_cast<std::size_t>(element) * kHolders + holder;
+}
+
+void ContactSearch::touch(const Meeting& meeting, Holder holder, const Candidate& candidate,
+                          std::vector<CordTouch>& touches) {
+  if (candidate.segment < 0) return;
+  const auto segment = static_cast<std::size_t>(candidate.segment);
+  const auto element = static_cast<std::size_t>(meeting.element), part = static_cast<std::size_t>(meeting.part);
+  const SegmentContact& contact = meeting.contacts[segment];
+  const Segment piece{meeting.local[segment], meeting.local[segment + 1]};
+  const double radius = radius_[element];
+  // One that is still apart is judged as a cord that is thicker by what is looked ahead.
+  const bool is_apart = contact.distance >= radius;
+  const double thickness = is_apart ? radius + meeting.ahead : radius;
+  const SegmentPlace place = find_deepest(parts_[part], piece, contact, thickness, candidate.weight);
+  const WeightedPlace found{place.t, candidate.weight.at(place.t), thickness - place.distance};
+  if (!(found.weight > 0)) return;
+  add(holder,
+      {.element = meeting.element,
+       .part = meeting.part,
+       .segment = candidate.segment,
+       .t = place.t,
+       .share = found.weight,
+       .penetration = radius - place.distance,
+       .score = is_apart ? score_apart(found) : found.score(),
+       .normal = symmetric_product(meeting.body.rigid().rotation(), place.normal),
+       .point = meeting.world[segment] + place.t * (meeting.world[segment + 1] - meeting.world[segment])},
+      touches);
+}
+
+// Of the two sides of a node the one that counts more bears the force.
+void ContactSearch::add(Holder holder, CordTouch touch, std::vector<CordTouch>& touches) {
+  const auto element = static_cast<std::size_t>(touch.element), part = static_cast<std::size_t>(touch.part);
+  touch.is_cord_end = (holder == kFirst && previous_[element] < 0) || (holder == kSecond && next_[element] < 0);
+  std::vector<std::int32_t>& of_part = holder_touch_[part];
+  if (of_part.empty()) of_part.assign(3 * next_.size(), -1);
+  const std::size_t index = holder_index(touch.element, holder);
+  if (of_part[index] < 0) {
+    of_part[index] = static_cast<std::int32_t>(touches.size());
+    taken_.emplace_back(touch.part, index);
+    touches.push_back(touch);
+  } else if (CordTouch& other = touches[static_cast<std::size_t>(of_part[index])]; touch.score > other.score) {
+    other = touch;
+  }
+}
+
+}  // namespace netpocket

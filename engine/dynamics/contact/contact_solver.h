@@ -1,0 +1,136 @@
+#pragma once
+// Contact of cables with rigid bodies: computes the forces at the places where cords touch bodies (contact_search.h)
+// and gives them to nodes, gradients and bodies by virtual work (S^T F).
+//
+// A contact is as stiff as its partners' materials, but no stiffer than makes an impact at 1 m/s last eight of the
+// run's first steps, with the least mass that any point of the body can have. The stiffness stays as it is for the
+// whole run: a spring that holds energy does not change with the step. Where a spring is too soft for what comes, the
+// contact ends the approach at a greatest depth (below).
+//
+// Contacts of a step see the same state and share the inertia of nodes (contacted_coordinates.h) and, counted likewise,
+// of the body.
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/contact/force_law.h"
+#include "engine/dynamics/assembly/applied_forces.h"
+#include "engine/dynamics/assembly/coordinate_vectors.h"
+#include "engine/dynamics/assembly/dynamic_body.h"
+#include "engine/dynamics/contact/contact_depth.h"
+#include "engine/dynamics/contact/contact_kernel.h"
+#include "engine/dynamics/contact/contact_search.h"
+#include "engine/dynamics/contact/contacted_coordinates.h"
+#include "engine/math/sector_sum.h"
+#include "engine/model/model.h"
+
+namespace netpocket {
+
+class ContactSolver {
+ public:
+  ContactSolver(const Model& model, const CoordinateLayout& layout);
+
+  // To be called when positions have changed other than by steps.
+  void forget_candidates();
+  void set_friction(double coefficient) { settings_.friction = coefficient; }
+  // Step (s) that the stiffness of all contacts is for.
+  void set_reference_step(double dt);
+
+  // What has moved in a step: no point of a cord by more than `cords`, none of a body by more than bodies[b], m.
+  void note_motion(double cords, std::span<const double> bodies);
+
+  // Finds the contacts at this state and enters them in `contacted`. `batch`: the model's elements with their present
+  // lengths. `dt` (s): step over which the forces will act. `cord_speed` (m/s): no point of a cord is faster now.
+  void find(const CoordinateVectors& coordinates, const CoordinateVectors& velocities, const ElementBatch& batch,
+            const std::vector<DynamicBody>& bodies, double cord_speed, double dt, ContactedCoordinates& contacted);
+
+  // Adds the forces of the contacts found on coordinates to `applied` and on bodies to `wrenches` (by body, about the
+  // dynamic body's centre of mass). Contact meets the velocities that `contacted` predicts, so that a cord at rest
+  // presses with just what loads it.
+  void add_forces(const CoordinateVectors& velocities, ContactedCoordinates& contacted,
+                  std::span<const double> inverse_mass, const std::vector<DynamicBody>& bodies, const StepTimes& times,
+                  AppliedForces& applied, std::vector<Wrench>& wrenches);
+
+  // Energy in the springs (J) at the state that find was given.
+  double stored_energy() const;
+  // What the contacts take out of the motion, besides what their springs store: at the velocities that add_forces was
+  // given, and at these.
+  contact_kernel::ContactPower dissipated_power_before() const { return power_before_; }
+  contact_kernel::ContactPower dissipated_power(const CoordinateVectors& velocities,
+                                                const std::vector<DynamicBody>& bodies) const;
+
+  // Contacts that bear force.
+  std::vector<ContactPoint> contacts() const;
+  bool has_contacts() const { return !contacts_.empty(); }
+  const Eigen::Vector3d& force_on(std::int32_t body) const { return body_force_[body]; }
+  double deepest_penetration() const { return deepest_penetration_; }  // m
+  // The deepest by its cord's radius.
+  const ContactDepth& deepest_part() const { return deepest_part_; }
+  // Contacts that the present forces stop at their greatest depth.
+  int stops() const { return stops_; }
+  // Contacts whose spring is too stiff for the step (force_law.h: theta > 0).
+  int unresolved() const { return unresolved_; }
+  struct Depth {
+    std::int32_t element, body;
+    double penetration;  // m
+  };
+  std::optional<Depth> deepest_contact() const;
+
+ private:
+  // Of an element and a body.
+  struct Law {
+    NormalLaw law;
+    double deepest;    // m, penetration that no approach may pass
+    double softening;  // stiffness by that of the materials
+  };
+  struct Partner {
+    ContactSearch search;
+    // By part, then element and whether the place is at the end of its cord; of no stiffness: not yet asked for.
+    std::vector<std::vector<Law>> laws;
+    std::size_t first = 0, last = 0;  // in contacts_
+    double shares = 0;                // sum of its contacts' shares
+  };
+  class Stop;
+  contact_kernel::ContactPower power_of(std::size_t body, const CoordinateRows& velocities,
+                                        const DynamicBody& dynamic) const;
+  struct BodySums {
+    SectorSum<Eigen::Vector3d> force, torque;  // N, N m
+  };
+
+  void find_contacts(std::int32_t body, const CoordinateVectors& coordinates, const CoordinateVectors& velocities,
+                     const ElementBatch& batch, const DynamicBody& dynamic, double cord_speed, double dt);
+  double way_ahead(std::int32_t body, const DynamicBody& dynamic, double cord_speed, double dt) const;
+  // Whether a place that is still apart would come to touch within the step.
+  bool hits_within_step(const CordTouch& touch, std::int32_t body, double length, const CoordinateVectors& velocities,
+                        const DynamicBody& dynamic, double dt) const;
+  // `body_mass` (kg): the body's least.
+  void note_depth(std::int32_t body, double body_mass, const CordTouch& touch);
+  void add_contact(std::int32_t body, double body_mass, const CordTouch& touch, double length);
+  ElementWeights weights_at(const CordTouch& touch, double length) const;
+  Law make_law(const CordTouch& touch, std::int32_t body, double body_mass) const;
+  const Law& law_of(const CordTouch& touch, std::int32_t body, double body_mass);
+  void share_inertia(ContactedCoordinates& contacted);
+  template <typename Function>
+  void for_each_contact(const Function& function) const;
+  // Calls function(block, lane, corner), all contacts of a corner before those of the next: at any one coordinate the
+  // order is then the same in every sector.
+  template <typename Function>
+  void for_each_corner(std::span<ContactBlock> contacts, const Function& function);
+
+  const Model& model_;
+  CordPolyline polyline_;
+  ContactSettings settings_;
+  double damping_;  // alpha of force_law.h
+  double reference_step_ = 0;
+  std::vector<Partner> partners_;         // by body
+  std::vector<CordTouch> touches_;        // of one body
+  AlignedVector<ContactBlock> contacts_;  // by body
+  std::vector<Eigen::Vector3d> body_force_;
+  double deepest_penetration_ = 0;
+  ContactDepth deepest_part_;
+  int stops_ = 0, unresolved_ = 0;
+  contact_kernel::ContactPower power_before_;
+};
+
+}  // namespace netpocket

@@ -1,0 +1,103 @@
+#pragma once
+// The nodes and gradients that contacts act on in a step: how many contacts share them, and the velocities that all
+// other forces of the step lead to.
+//
+// All contacts of a step are computed from the same state (Jacobi-wise). Where a contact is solved for its own speed
+// (damping, friction, springs too stiff for the step), those that share nodes must share the nodes' inertia too: a
+// contact's inverse mass counts every contact point on its nodes, w = sum_i |S_i| (sum_c |S_i,c|)/m_i, the row sum of
+// the contacts' common inverse mass matrix. No step can then push a node beyond what a single contact would (mass
+// splitting: Tonge, Benevolenski & Voroshilov 2012, doi:10.1145/2185520.2185601).
+//
+// Few coordinates are touched, mostly with their whole block (the eight sectors): only their blocks are kept.
+
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "engine/dynamics/assembly/coordinate_vectors.h"
+#include "engine/dynamics/assembly/element_curve.h"
+
+namespace netpocket {
+
+class ContactedCoordinates {
+ public:
+  explicit ContactedCoordinates(std::int32_t count) : place_(static_cast<std::size_t>(count) / kBlockSize, -1) {}
+
+  // Begins a step.
+  void clear() {
+    for (const std::int32_t block : blocks_) place_[static_cast<std::size_t>(block)] = -1;
+    blocks_.clear();
+    shared_weight_.clear();
+  }
+  // A contact acts on `coordinate` with this weight. Returns the place of the coordinate's block among those touched.
+  std::int32_t share(std::int32_t coordinate, double weight) {
+    const auto s = static_cast<std::uint32_t>(coordinate);
+    std::int32_t& place = place_[s / kBlockSize];
+    if (place < 0) {
+      place = static_cast<std::int32_t>(blocks_.size());
+      blocks_.push_back(static_cast<std::int32_t>(s / kBlockSize));
+      shared_weight_.resize(shared_weight_.size() + kBlockSize, 0.0);
+    }
+    shared_weight_[static_cast<std::size_t>(place) * kBlockSize + s % kBlockSize] += std::abs(weight);
+    return place;
+  }
+  // By place of a block: rows x, y, z of predicted velocities, and the sums of weights.
+  const double* predicted_rows() const { return predicted_.data(); }
+  const double* shared_weights() const { return shared_weight_.data(); }
+
+  // Velocities after a step of `dt` (s) under everything but contact: `sum_forces(blocks, rows)` fills the rows of
+  // blocks of coordinates with forces.
+  template <typename Function>
+  void predict(const CoordinateVectors& velocities, std::span<const double> inverse_mass, double dt,
+               const Function& sum_forces) {
+    if (blocks_.empty()) return;
+    predicted_.resize(blocks_.size() * kRows);
+    sum_forces(std::span<const std::int32_t>(blocks_), predicted_.data());
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+      const auto block = static_cast<std::size_t>(blocks_[i]);
+      const double* velocity = velocities.rows().first + block * kRows;
+      const double* inverse = inverse_mass.data() + block * kBlockSize;
+      double* row = predicted_.data() + i * kRows;
+      for (std::size_t k = 0; k < kRows; ++k) row[k] = velocity[k] + (dt * inverse[k % kBlockSize]) * row[k];
+    }
+  }
+  // The predicted velocity of a coordinate that is touched.
+  Eigen::Vector3d get(std::int32_t coordinate) const {
+    const double* row = predicted_.data() + place(coordinate, kRows);
+    return {row[0], row[kBlockSize], row[2 * kBlockSize]};
+  }
+
+  // Changes the predicted velocity of a coordinate that is touched.
+  void add_to_prediction(std::int32_t coordinate, const Eigen::Vector3d& change) {
+    double* row = predicted_.data() + place(coordinate, kRows);
+    row[0] += change.x();
+    row[kBlockSize] += change.y();
+    row[2 * kBlockSize] += change.z();
+  }
+
+  // A contact's part of the coordinates' inverse mass, 1/kg.
+  double inverse_mass(const ElementIndices& coordinate, const ElementWeights& weight,
+                      std::span<const double> inverse_mass) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      sum += std::abs(weight[i]) * shared_weight_[place(coordinate[i], kBlockSize)] * inverse_mass[coordinate[i]];
+    }
+    return sum;
+  }
+
+ private:
+  static constexpr std::size_t kRows = kVectorRows * kBlockSize;
+
+  // Of the coordinate's first value in rows of which a block has `stride`.
+  std::size_t place(std::int32_t coordinate, std::size_t stride) const {
+    const auto s = static_cast<std::uint32_t>(coordinate);
+    return static_cast<std::size_t>(place_[s / kBlockSize]) * stride + s % kBlockSize;
+  }
+
+  std::vector<std::int32_t> place_;    // by block of coordinates: in the following, or -1
+  std::vector<std::int32_t> blocks_;   // that are touched
+  std::vector<double> shared_weight_;  // sum of contact weights
+  AlignedVector<double> predicted_;    // rows x, y, z
+};
+
+}  // namespace netpocket

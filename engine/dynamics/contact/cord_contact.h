@@ -1,0 +1,142 @@
+#pragma once
+// Contact of nets, ropes and rods among themselves. Cords are chains of capsules (cord_polyline.h); where two of them
+// overlap, the law of force_law.h pushes them apart and Coulomb friction resists their sliding.
+//
+// Forces act on the four ends of the two capsules and go to nodes and gradients by virtual work. The normal force acts
+// along the line between the nearest points of the axes. Friction acts at the surface, so it also bends the cords; what
+// would twist them is left out, for the elements have no torsion. A force along one cord's axis twists neither when it
+// is taken at the other one's axis, so friction is resolved along the two axes, each part at the other's axis, and all
+// forces and moments on the pair are balanced. Parallel cords, which would have to roll, do so freely.
+//
+// No stiffer than the run's first steps resolve (resolved_stiffness), and as stiff for the whole run: springs that hold
+// energy do not change with the step. Besides, no contact lets axes come nearer to each other than a quarter of the
+// cords' thickness within a step: what would is stopped there, at the price of a slower rebound. Cords do not pass
+// through each other at any speed that a run's steps can follow.
+//
+// All contacts of a step see the same state and share the nodes' inertia (contacted_coordinates.h). Forces are summed
+// in an order that is the same in every sector of a pocket, and a pair's forces do not depend on which of the two comes
+// first, so that a symmetric pocket stays symmetric to the last bit.
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "engine/contact/force_law.h"
+#include "engine/dynamics/assembly/applied_forces.h"
+#include "engine/dynamics/contact/contact_depth.h"
+#include "engine/dynamics/contact/contact_kernel.h"
+#include "engine/dynamics/contact/contacted_coordinates.h"
+#include "engine/dynamics/contact/cord_pairs.h"
+#include "engine/dynamics/contact/cord_polyline.h"
+#include "engine/dynamics/contact/cord_search.h"
+#include "engine/model/model.h"
+
+namespace netpocket {
+
+class CordContact {
+ public:
+  // `coordinates` as built; `inverse_mass` by coordinate.
+  CordContact(const Model& model, const CoordinateLayout& layout, const CoordinateVectors& coordinates,
+              std::span<const double> inverse_mass);
+  CordContact(const CordContact&) = delete;
+  CordContact& operator=(const CordContact&) = delete;
+
+  // To be called when positions have changed other than by steps.
+  void forget_candidates() { search_.forget(); }
+  void set_friction(double coefficient) { settings_.friction = coefficient; }
+  // Step (s) that the stiffness of all contacts is for.
+  void set_reference_step(double dt) { reference_step_ = dt; }
+
+  // See CordSearch::note_way.
+  void note_way(double way) { search_.note_way(way); }
+  // To be called at every step, before find, whose `dt` and velocities are these: no point of a cord is faster than
+  // `cord_speed` (m/s).
+  void look_around(const CoordinateVectors& coordinates, const std::vector<double>& element_length, double cord_speed,
+                   double dt, const DividedLoop& loop);
+
+  // Finds the contacts at this state and enters them in `contacted`. `element_length`: current material length by
+  // element (m). `dt` (s): step over which the forces will act.
+  void find(const CoordinateVectors& coordinates, const CoordinateVectors& velocities,
+            const std::vector<double>& element_length, double dt, ContactedCoordinates& contacted);
+
+  // Adds the forces of the contacts found to `applied`. Contact meets the velocities that `contacted` predicts.
+  void add_forces(const CoordinateVectors& velocities, const ContactedCoordinates& contacted,
+                  std::span<const double> inverse_mass, const StepTimes& times, AppliedForces& applied);
+
+  // Energy in the springs (J) at the state that find was given.
+  double stored_energy() const;
+  // What the contacts take out of the motion at these velocities, besides what their springs store.
+  contact_kernel::ContactPower dissipated_power(const CoordinateVectors& velocities) const;
+  // Contacts of the last find or add_forces that were found deeper than their springs are (see kDeepImpact),
+  std::int64_t partings() const { return partings_; }
+  // and whose approach was stopped within the step.
+  std::int64_t stops() const { return stops_; }
+  // The deepest by the sum of the radii.
+  ContactDepth deepest_part() const;
+  // Contacts that bear force.
+  int count() const;
+  // Sum of the normal forces, N.
+  double total_normal_force() const;
+
+ private:
+  using Weights = ElementWeights;
+
+  // One of the two capsules in contact.
+  struct Side {
+    std::int32_t element;
+    ElementIndices coordinate;
+    std::array<Weights, 2> end;            // shape functions at the capsule's ends
+    Weights point;                         // and at the point of its axis nearest to the other one
+    double fraction;                       // where that is between the ends
+    double radius, length;                 // m, of the capsule
+    Eigen::Vector3d tangent;               // the axis' direction less its part along the normal
+    std::array<Eigen::Vector3d, 2> force;  // N, on the ends
+  };
+  struct Contact {
+    std::array<Side, 2> side;
+    Eigen::Vector3d normal;  // from the second to the first
+    double distance;         // m, of the axes
+    double reach;            // m, sum of the radii
+    double stiffness;        // K, N/m^1.5
+    double deepest;          // m, penetration up to which there is a spring
+    double normal_force;     // N
+    double elastic;          // N, of the spring alone
+  };
+  struct Velocities {  // of a contact, m/s: first less second
+    Eigen::Vector3d point;
+    std::array<Eigen::Vector3d, 2> spread;  // by side, of its first end against its second
+  };
+
+  bool is_least(const NearSegments& near, bool second, double fraction, const Eigen::Vector3d& separation,
+                const CoordinateVectors& coordinates, const std::vector<double>& element_length) const;
+  void test(const NearSegments& near, const CoordinateVectors& coordinates, const std::vector<double>& element_length);
+  Side make_side(std::int32_t element, std::int32_t segment, double fraction, double length) const;
+  double material_stiffness(std::int32_t first, std::int32_t second) const;
+  template <typename Vectors>
+  Velocities relative_velocity(const Contact& contact, const Vectors& velocities) const;
+  void set_forces(Contact& contact, const CoordinateVectors& velocities, const ContactedCoordinates& contacted,
+                  std::span<const double> inverse_mass, const StepTimes& times);
+  std::array<double, 2> friction(const Contact& contact, const Velocities& velocity,
+                                 const ContactedCoordinates& contacted, std::span<const double> inverse_mass,
+                                 double axis_inverse_mass, const StepTimes& times) const;
+  // Calls function(contact, side, corner) for every node and gradient of every contact, such that the order of those at
+  // any one coordinate is the same in every sector.
+  template <typename Function>
+  void for_each_corner(const Function& function) const;
+
+  const Model& model_;
+  ContactSettings settings_;
+  double damping_;  // alpha of force_law.h
+  double reference_step_ = 0;
+  double ahead_ = 0;  // m, distance of surfaces within which cords may need to be stopped in the coming step
+  std::int64_t partings_ = 0, stops_ = 0;
+  CordPolyline polyline_;
+  CordPairs pairs_;
+  CordSearch search_;
+  std::vector<std::int32_t> previous_, next_;     // by element: the one before it and after it along its cord, or -1
+  std::vector<CordPolyline::Vertices> vertices_;  // of search_.near_elements()
+  std::vector<Contact> contacts_;
+  std::vector<std::int32_t> contact_of_near_;  // by search_.near(): index into contacts_, or -1
+};
+
+}  // namespace netpocket

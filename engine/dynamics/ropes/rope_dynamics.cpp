@@ -1,0 +1,224 @@
+#include "engine/dynamics/ropes/rope_dynamics.h"
+
+#include <algorithm>
+#include <array>
+
+#include "engine/ancf/mass.h"
+#include "engine/ancf/mean_strain_element.h"
+#include "engine/ancf/variable_length.h"
+#include "engine/math/instruction_set.h"
+
+namespace netpocket {
+namespace {
+
+ElementCoordinates gather(const CoordinateVectors& vectors, const std::array<std::int32_t, 4>& indices) {
+  ElementCoordinates columns;
+  for (int corner = 0; corner < 4; ++corner) columns.col(corner) = vectors.get(indices[corner]);
+  return columns;
+}
+
+struct RopeKernels {
+  rope_kernel::ForceKernel forces;
+  rope_kernel::EnergyKernel energy_change;
+};
+
+const RopeKernels& rope_kernels() {
+  static const RopeKernels chosen = {
+      choose_variant(rope_kernel::baseline::forces, rope_kernel::avx2::forces, rope_kernel::avx512::forces),
+      choose_variant(rope_kernel::baseline::energy_change, rope_kernel::avx2::energy_change,
+                     rope_kernel::avx512::energy_change)};
+  return chosen;
+}
+
+void set_lane(SpanRows& rows, int lane, const MaterialSpan& span) {
+  rows.length[lane] = span.length;
+  rows.start_rate[lane] = span.start_rate;
+  rows.end_rate[lane] = span.end_rate;
+}
+
+}  // namespace
+
+// Node i is at p = p1 + (p2 - p1) i / count with p1 = share_at_start (L0 - L).
+MaterialSpan rope_span(const RopeMotion& motion, double share_at_start, std::size_t index, std::size_t count) {
+  const double elements = static_cast<double>(count), place = static_cast<double>(index);
+  const double first = place / elements - share_at_start, second = (place + 1) / elements - share_at_start;
+  return {motion.length / elements, motion.rate * first, motion.rate * second, motion.acceleration * first,
+          motion.acceleration * second};
+}
+
+RopeDynamics::RopeDynamics(const Model& model, const CoordinateLayout& layout) {
+  place_.assign(model.elements.size(), {-1, -1});
+  for (const VariableRope& source : model.ropes) {
+    Rope rope;
+    rope.elements = source.elements;
+    rope.section = model.material_of(source.elements.front()).section;
+    rope.motion = source.motion;
+    rope.same_motion_as = source.same_motion_as;
+    rope.share_at_start = source.share_at_start;
+    rope.initial_length = source.motion(0).length;
+    rope.spans.resize(source.elements.size());
+    for (std::size_t i = 0; i < source.elements.size(); ++i) {
+      const ModelElement& element = model.elements[source.elements[i]];
+      rope.indices.push_back({layout.position(element.node1), layout.gradient(element.gradient1),
+                              layout.position(element.node2), layout.gradient(element.gradient2)});
+      place_[source.elements[i]] = {static_cast<std::int32_t>(ropes_.size()), static_cast<std::int32_t>(i)};
+      massive_coordinates_.insert(massive_coordinates_.end(), rope.indices.back().begin(), rope.indices.back().end());
+    }
+    longest_ = std::max(longest_, rope.indices.size());
+    ropes_.push_back(std::move(rope));
+  }
+  collect_blocks();
+  std::ranges::sort(massive_coordinates_);
+  massive_coordinates_.erase(std::unique(massive_coordinates_.begin(), massive_coordinates_.end()),
+                             massive_coordinates_.end());
+}
+
+void RopeDynamics::collect_blocks() {
+  for_each_element([&](const Rope& rope, std::size_t i) {
+    if (blocks_.empty() || blocks_.back().count == kBlockSize) blocks_.emplace_back();
+    RopeBlock& block = blocks_.back();
+    const int lane = block.count++;
+    block.mass_per_length[lane] = rope.section.mass_per_length;
+    for (int corner = 0; corner < 4; ++corner) block.coordinate[corner][lane] = rope.indices[i][corner];
+  });
+}
+
+template <typename Function>
+void RopeDynamics::for_each_lane(const Function& function) {
+  std::size_t place = 0;
+  for_each_element([&](const Rope& rope, std::size_t i) {
+    function(rope, i, blocks_[place / kBlockSize], static_cast<int>(place % kBlockSize));
+    ++place;
+  });
+}
+
+void RopeDynamics::set_present_spans() {
+  for (Rope& rope : ropes_) {
+    for (std::size_t i = 0; i < rope.spans.size(); ++i) rope.spans[i] = rope.span_at(rope.now, i);
+  }
+  for_each_lane(
+      [](const Rope& rope, std::size_t i, RopeBlock& block, int lane) { set_lane(block.now, lane, rope.spans[i]); });
+}
+
+void RopeDynamics::set_previous_spans() {
+  for_each_lane([](const Rope& rope, std::size_t i, RopeBlock& block, int lane) {
+    set_lane(block.before, lane, rope.span_at(rope.before, i));
+  });
+  previous_spans_are_set_ = true;
+}
+
+// First elements of all ropes, second ones, and so on: where ropes meet, what they add comes in the same order in every
+// sector of a pocket.
+template <typename Function>
+void RopeDynamics::for_each_element(const Function& function) const {
+  for (std::size_t i = 0; i < longest_; ++i) {
+    for (const Rope& rope : ropes_) {
+      if (i < rope.indices.size()) function(rope, i);
+    }
+  }
+}
+
+// The rope's ends: coordinate of the position, and the share of the wound-up rope that it carries. First ends before
+// last ones, as above.
+template <typename Function>
+void RopeDynamics::for_each_end(const Function& function) const {
+  for (const Rope& rope : ropes_) function(rope, rope.indices.front()[0], rope.share_at_start);
+  for (const Rope& rope : ropes_) function(rope, rope.indices.back()[2], 1 - rope.share_at_start);
+}
+
+void RopeDynamics::set_motion(const std::function<RopeMotion(double)>& motion) {
+  for (Rope& rope : ropes_) rope.motion = motion;
+}
+
+bool RopeDynamics::set_time(double t) {
+  bool changed = !started_;
+  for (Rope& rope : ropes_) {
+    const RopeMotion motion = rope.same_motion_as < 0 ? rope.motion(t) : ropes_[rope.same_motion_as].now;
+    changed = changed || !(motion == rope.now);
+    rope.now = motion;
+  }
+  if (!started_) finish_step();
+  started_ = true;
+  if (changed) set_present_spans();
+  if (!previous_spans_are_set_) set_previous_spans();
+  return changed;
+}
+
+void RopeDynamics::finish_step() {
+  for (Rope& rope : ropes_) rope.before = rope.now;
+  for (RopeBlock& block : blocks_) block.before = block.now;
+}
+
+void RopeDynamics::update(ElementBatch& batch, std::span<double> mass) {
+  for (Rope& rope : ropes_) {
+    for (std::size_t i = 0; i < rope.elements.size(); ++i) {
+      batch.set_length(rope.elements[i], rope.spans[i].length, rope.spans[i].length_rate());
+    }
+  }
+  for_each_element([&](const Rope& rope, std::size_t i) {
+    const NodalWeights lump = lumped_mass(rope.section.mass_per_length, rope.spans[i].length);
+    for (int corner = 0; corner < 4; ++corner) mass[rope.indices[i][corner]] += lump[corner];
+  });
+  for_each_end([&](const Rope& rope, std::int32_t coordinate, double share) {
+    mass[coordinate] += share * rope.wound_mass(rope.now);
+  });
+}
+
+void RopeDynamics::add_flow_forces(const CoordinateVectors& coordinates, const CoordinateVectors& velocities,
+                                   double last_dt, double kick, AppliedForces& applied) {
+  if (!moves()) return;
+  for (RopeBlock& block : blocks_) {
+    rope_kernels().forces(coordinates.rows(), velocities.rows(), last_dt, kick, block);
+    for (int lane = 0; lane < block.count; ++lane) {
+      for (int corner = 0; corner < 4; ++corner) {
+        applied.add(block.coordinate[corner][lane], lane_of(block.force[corner], lane));
+      }
+    }
+  }
+  for_each_end([&](const Rope& rope, std::int32_t coordinate, double share) {
+    const double lost = share * (rope.wound_mass(rope.before) - rope.wound_mass(rope.now));
+    applied.add(coordinate, lost / kick * velocities.get(coordinate));
+  });
+}
+
+double RopeDynamics::energy_change(const CoordinateVectors& coordinates, const CoordinateVectors& velocities) {
+  if (!moves()) return 0;
+  double change = 0;
+  for (RopeBlock& block : blocks_) {
+    rope_kernels().energy_change(coordinates.rows(), velocities.rows(), block);
+    for (int lane = 0; lane < block.count; ++lane) change += block.energy_change[lane];
+  }
+  for_each_end([&](const Rope& rope, std::int32_t coordinate, double share) {
+    const double gained = share * (rope.wound_mass(rope.now) - rope.wound_mass(rope.before));
+    change += 0.5 * gained * squared_norm(velocities.get(coordinate));
+  });
+  return change;
+}
+
+RopeDynamics::FlowEnergy RopeDynamics::flow_energy(const CoordinateVectors& coordinates,
+                                                   const CoordinateVectors& velocities) const {
+  FlowEnergy energy;
+  for_each_element([&](const Rope& rope, std::size_t i) {
+    const double mass = rope.section.mass_per_length;
+    const ElementCoordinates q = gather(coordinates, rope.indices[i]), velocity = gather(velocities, rope.indices[i]);
+    const MaterialSpan at_rest{.length = rope.spans[i].length};
+    energy.kinetic += kinetic_energy(mass, rope.spans[i], q, velocity) - kinetic_energy(mass, at_rest, q, velocity);
+    energy.work += flow_work(mass, rope.spans[i], q, velocity);
+  });
+  return energy;
+}
+
+void RopeDynamics::visit_state(const std::function<void(double&)>& visit) {
+  for (Rope& rope : ropes_) {
+    visit(rope.before.length);
+    visit(rope.before.rate);
+  }
+  previous_spans_are_set_ = false;
+}
+
+const MaterialSpan* RopeDynamics::span_of(std::int32_t element) const {
+  const auto [rope, index] = place_[element];
+  return rope < 0 ? nullptr : &ropes_[rope].spans[index];
+}
+
+}  // namespace netpocket

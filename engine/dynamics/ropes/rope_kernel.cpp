@@ -1,0 +1,96 @@
+// Compiled once per instruction set, NETPOCKET_ISA_NAME being the variant's namespace. The formulas are those of
+// ancf/variable_length.h, in the same notation.
+
+#include "engine/dynamics/ropes/rope_kernel.h"
+
+#include "engine/ancf/element_coordinates.h"
+#include "engine/math/simd.h"
+
+namespace netpocket::rope_kernel::NETPOCKET_ISA_NAME {
+namespace {
+
+using namespace simd;
+
+struct Span {
+  SimdDouble length, start_rate, end_rate;
+};
+NETPOCKET_INLINE Span load_span(const SpanRows& rows, int part) {
+  return {load(rows.length, part), load(rows.start_rate, part), load(rows.end_rate, part)};
+}
+
+// Lumped mass of a node and of a slope.
+struct Mass {
+  SimdDouble node, slope;
+};
+NETPOCKET_INLINE Mass lumped_mass(const SimdDouble& mass_per_length, const SimdDouble& length) {
+  return {mass_per_length * length / broadcast(2.0), mass_per_length * length * length * length / broadcast(78.0)};
+}
+
+// What the flow adds to the velocity of the material at each node.
+struct Flow {
+  SimdVector past1, past2;
+};
+NETPOCKET_INLINE Flow flow_past(const Span& span, const SimdVector& chord) {
+  const SimdVector e = {chord.x / span.length, chord.y / span.length, chord.z / span.length};
+  return {-span.start_rate * e, -span.end_rate * e};
+}
+
+NETPOCKET_INLINE SimdDouble squared_norm(const SimdVector& v) { return dot(v, v); }
+
+NETPOCKET_INLINE SimdVector gather_corner(const CoordinateRows& rows, const RopeBlock& block, int corner, int part) {
+  return gather_coordinates(rows.first, block.coordinate[corner], part);
+}
+
+// Velocities of nodes; squares of those of slopes.
+struct Motion {
+  SimdVector chord, v1, v2;
+  SimdDouble slope1, slope2;
+};
+
+NETPOCKET_INLINE SimdDouble kinetic_energy(const SimdDouble& mass_per_length, const Span& span, const Motion& motion) {
+  const Mass mass = lumped_mass(mass_per_length, span.length);
+  const Flow flow = flow_past(span, motion.chord);
+  return broadcast(0.5) * (mass.node * squared_norm(motion.v1 + flow.past1) + mass.slope * motion.slope1 +
+                           mass.node * squared_norm(motion.v2 + flow.past2) + mass.slope * motion.slope2);
+}
+
+}  // namespace
+
+void energy_change(const CoordinateRows& coordinates, const CoordinateRows& velocities, RopeBlock& block) {
+  for (int part = 0; part < kParts; ++part) {
+    const Motion motion = {gather_corner(coordinates, block, 2, part) - gather_corner(coordinates, block, 0, part),
+                           gather_corner(velocities, block, 0, part), gather_corner(velocities, block, 2, part),
+                           squared_norm(gather_corner(velocities, block, 1, part)),
+                           squared_norm(gather_corner(velocities, block, 3, part))};
+    const SimdDouble mass = load(block.mass_per_length, part);
+    store(block.energy_change, part,
+          kinetic_energy(mass, load_span(block.now, part), motion) -
+              kinetic_energy(mass, load_span(block.before, part), motion));
+  }
+}
+
+void forces(const CoordinateRows& coordinates, const CoordinateRows& velocities, double last_dt, double kick,
+            RopeBlock& block) {
+  const SimdDouble last = broadcast(last_dt), inverse_kick = broadcast(1 / kick), half = broadcast(0.5);
+  for (int part = 0; part < kParts; ++part) {
+    const SimdDouble mass_per_length = load(block.mass_per_length, part);
+    const Span before = load_span(block.before, part), now = load_span(block.now, part);
+    const Mass mass_before = lumped_mass(mass_per_length, before.length);
+    const Mass mass_now = lumped_mass(mass_per_length, now.length);
+    const SimdDouble lost_node = mass_before.node - mass_now.node, lost_slope = mass_before.slope - mass_now.slope;
+    const SimdVector r1 = gather_corner(coordinates, block, 0, part), r2 = gather_corner(coordinates, block, 2, part);
+    const SimdVector v1 = gather_corner(velocities, block, 0, part), v2 = gather_corner(velocities, block, 2, part);
+    const Flow flow = flow_past(now, r2 - r1), flow_before = flow_past(before, (r2 - last * v2) - (r1 - last * v1));
+
+    const SimdVector carried =
+        (mass_per_length * half) * (now.start_rate * (v1 + flow.past1) + now.end_rate * (v2 + flow.past2));
+    const SimdVector impulse1 = lost_node * v1 + mass_before.node * flow_before.past1 - mass_now.node * flow.past1;
+    const SimdVector impulse2 = lost_node * v2 + mass_before.node * flow_before.past2 - mass_now.node * flow.past2;
+    store3(block.force[0][0], 0, part, inverse_kick * impulse1 + carried);
+    store3(block.force[1][0], 0, part, (inverse_kick * lost_slope) * gather_corner(velocities, block, 1, part));
+    store3(block.force[2][0], 0, part, inverse_kick * impulse2 - carried);
+    store3(block.force[3][0], 0, part, (inverse_kick * lost_slope) * gather_corner(velocities, block, 3, part));
+  }
+}
+
+}  // namespace netpocket::rope_kernel::NETPOCKET_ISA_NAME

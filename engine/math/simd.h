@@ -1,0 +1,108 @@
+#pragma once
+// A few doubles that are computed at once: one value for each of several cable elements or coordinates, as many as one
+// register of the instruction set holds. Data comes in blocks of eight; a kernel goes through a block in parts of
+// kWidth lanes. Only additions, multiplications, divisions and square roots are used, each rounded on its own
+// (-ffp-contract=off), so that every instruction set gives the same bits.
+//
+// To be included only by sources that are compiled once per instruction set; everything here has internal linkage so
+// that no copy compiled for a newer processor can end up in code that an older one runs.
+
+#include <immintrin.h>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace netpocket::simd {
+namespace {
+
+constexpr int kBlock = 8;  // lanes of a block of data
+#if defined(__AVX512F__)
+constexpr int kWidth = 8;
+#elif defined(__AVX__)
+constexpr int kWidth = 4;
+#else
+constexpr int kWidth = 2;
+#endif
+constexpr int kParts = kBlock / kWidth;
+
+using SimdDouble [[gnu::vector_size(kWidth * sizeof(double))]] = double;
+using UnalignedSimdDouble [[gnu::vector_size(kWidth * sizeof(double)), gnu::aligned(sizeof(double))]] = double;
+
+#define NETPOCKET_INLINE [[gnu::always_inline]] static inline
+
+// Part `part` of the block of eight that starts at `block` (64-byte aligned).
+NETPOCKET_INLINE SimdDouble load(const double* block, int part) {
+  return *reinterpret_cast<const SimdDouble*>(block + part * kWidth);
+}
+NETPOCKET_INLINE void store(double* block, int part, const SimdDouble& value) {
+  *reinterpret_cast<SimdDouble*>(block + part * kWidth) = value;
+}
+NETPOCKET_INLINE SimdDouble broadcast(double value) { return SimdDouble{} + value; }
+
+NETPOCKET_INLINE SimdDouble larger(const SimdDouble& a, const SimdDouble& b) { return a < b ? b : a; }
+
+// False where a lane is zero or not a number.
+NETPOCKET_INLINE bool are_all_negative(const SimdDouble& value) {
+  bool all = true;
+  for (int i = 0; i < kWidth; ++i) all &= value[i] < 0;
+  return all;
+}
+
+NETPOCKET_INLINE SimdDouble square_root(const SimdDouble& value) {
+#if defined(__AVX512F__)
+  return SimdDouble(_mm512_maskz_sqrt_pd(0xff, __m512d(value)));  // the plain one makes GCC 12 warn
+#elif defined(__AVX__)
+  return SimdDouble(_mm256_sqrt_pd(__m256d(value)));
+#else
+  return SimdDouble(_mm_sqrt_pd(__m128d(value)));
+#endif
+}
+
+// Part `part` of a block read in turned order: lane i of the block's eight receives block[(i + rotation) mod 8].
+NETPOCKET_INLINE SimdDouble load_rotated(const double* block, int part, int rotation) {
+  if (rotation == 0) return load(block, part);
+#if defined(__AVX512F__)
+  using Order [[gnu::vector_size(sizeof(SimdDouble))]] = std::int64_t;
+  const Order order = (Order{0, 1, 2, 3, 4, 5, 6, 7} + rotation) & 7;
+  return SimdDouble(
+      _mm512_maskz_permutexvar_pd(0xff, __m512i(order), __m512d(load(block, part))));  // without a mask GCC warns
+#else
+  const int first = (part * kWidth + rotation) % kBlock;
+  if (first + kWidth <= kBlock) return *reinterpret_cast<const UnalignedSimdDouble*>(block + first);
+  SimdDouble value = {};
+  for (int i = 0; i < kWidth; ++i) value[i] = block[(first + i) % kBlock];
+  return value;
+#endif
+}
+
+NETPOCKET_INLINE SimdDouble gather(const double* row, const std::ptrdiff_t* place) {
+  SimdDouble value = {};
+  for (int i = 0; i < kWidth; ++i) value[i] = row[place[i]];
+  return value;
+}
+
+// A vector in space for each lane.
+struct SimdVector {
+  SimdDouble x, y, z;
+};
+NETPOCKET_INLINE SimdVector operator+(const SimdVector& a, const SimdVector& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+NETPOCKET_INLINE SimdVector operator-(const SimdVector& a, const SimdVector& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+NETPOCKET_INLINE SimdVector operator*(const SimdDouble& s, const SimdVector& a) { return {s * a.x, s * a.y, s * a.z}; }
+// From three rows one behind the other.
+NETPOCKET_INLINE SimdVector gather3(const double* rows, const std::ptrdiff_t* place) {
+  return {gather(rows, place), gather(rows + kBlock, place), gather(rows + 2 * kBlock, place)};
+}
+NETPOCKET_INLINE SimdVector cross(const SimdVector& a, const SimdVector& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+// x and z first: the sum keeps its bits when the pocket is turned by 90 degrees about its axis.
+NETPOCKET_INLINE SimdDouble dot(const SimdVector& a, const SimdVector& b) {
+  return (a.x * b.x + a.z * b.z) + a.y * b.y;
+}
+
+}  // namespace
+}  // namespace netpocket::simd

@@ -1,0 +1,120 @@
+#pragma once
+// The scalar channels of a run: one value per recorded frame each. Which ones a run has is data: its structure and its
+// snapshots carry the list, a recording stores it, and what reads, draws or exports channels goes by that list.
+//
+// `Channel` names those that parts of this program look for. A run need not have them, and may have others.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace netpocket {
+
+enum class Channel : std::size_t {
+  time,
+  closing_length,
+  closing_speed,
+  commanded_length,
+  commanded_speed,
+  contact_fx,
+  contact_fy,
+  contact_fz,
+  contact_count,
+  target_x,
+  target_y,
+  target_z,
+  target_vx,
+  target_vy,
+  target_vz,
+  target_inside,
+  spacecraft_x,
+  spacecraft_y,
+  spacecraft_z,
+  spacecraft_vx,
+  spacecraft_vy,
+  spacecraft_vz,
+  mouth_radius,
+  rope_tension_max,
+  closing_tension,
+  penetration_max,
+  penetration_part,
+  penetration_element,
+  penetration_body,
+  penetration_stiffness,
+  overlap_part,
+  overlap_element,
+  overlap_other,
+  overlap_stiffness,
+  energy_kinetic,
+  energy_strain,
+  energy_contact,
+  energy_input,
+  energy_dissipated,
+  spent_in_cords,
+  spent_at_hinges,
+  spent_in_contacts,
+  spent_by_friction,
+  energy_error,
+  time_step,
+  contact_step,
+  shortened_steps,
+  limited_hinges,
+  loose_hinges,
+  stopped_blows,
+  unresolved_contacts,
+  stopped_cords,
+  parted_overlaps,
+  count
+};
+
+inline constexpr std::size_t kKnownChannelCount = static_cast<std::size_t>(Channel::count);
+
+enum class ChannelKind : std::uint8_t {
+  value,     // at the frame's moment
+  interval,  // mean or extreme since the previous frame
+  total,     // since the start of the run
+  index      // row of a table of the structure; -1: none
+};
+
+struct ChannelInfo {
+  std::string name;  // letters, digits, underscores
+  std::string unit;  // "1" for pure numbers
+  std::string meaning;
+  ChannelKind kind = ChannelKind::value;
+
+  bool operator==(const ChannelInfo&) const = default;
+};
+
+// Distinct channels in an order. Never changes; shared by what belongs to one run.
+class ChannelList {
+ public:
+  // Throws std::invalid_argument, one sentence, when two channels have one name or none is called "time".
+  explicit ChannelList(std::vector<ChannelInfo> channels);
+
+  std::size_t size() const { return channels_.size(); }
+  const ChannelInfo& operator[](std::size_t index) const { return channels_[index]; }
+  auto begin() const { return channels_.begin(); }
+  auto end() const { return channels_.end(); }
+
+  std::optional<std::size_t> find(std::string_view name) const;
+  std::optional<std::size_t> find(Channel channel) const { return known_[static_cast<std::size_t>(channel)]; }
+  bool has(Channel channel) const { return find(channel).has_value(); }
+
+ private:
+  std::vector<ChannelInfo> channels_;
+  std::array<std::optional<std::size_t>, kKnownChannelCount> known_{};
+};
+
+// All of `Channel`, in its order: those of a pocket.
+const std::shared_ptr<const ChannelList>& known_channels();
+const ChannelInfo& channel_info(Channel channel);
+
+const char* to_string(ChannelKind kind);
+std::optional<ChannelKind> channel_kind(std::string_view text);
+
+}  // namespace netpocket

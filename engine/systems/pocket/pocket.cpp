@@ -1,0 +1,278 @@
+#include "engine/systems/pocket/pocket.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+#include <variant>
+
+#include "engine/control/closing_law.h"
+#include "engine/math/rotation.h"
+#include "engine/scenario/target_shape.h"
+#include "engine/state/pocket_groups.h"
+#include "engine/systems/pocket/materials.h"
+#include "engine/systems/pocket/sector_builder.h"
+
+namespace netpocket {
+namespace {
+
+// Rows of the triangular grid nearer to the axis than this many root radii are left out: the clamp is there.
+constexpr double kRootClearance = 1.05;
+
+// A point of a panel's grid by its row (downwards from the kink row in the lower grid, upwards in the upper one) and
+// its place in the row.
+using Grid = std::map<std::pair<int, int>, SectorIndex>;
+
+class PocketBuilder {
+ public:
+  explicit PocketBuilder(const Scenario& scenario)
+      : scenario_(scenario),
+        columns_(scenario.pocket.mesh_columns),
+        rows_(scenario.pocket.mesh_rows),
+        sectors_(pocket_.model, scenario.pocket.rod_count, scenario.solver.pair_strains) {}
+
+  Pocket build() {
+    Model& model = pocket_.model;
+    net_ = model.add_material(cord_material(scenario_.net));
+    rope_ = model.add_material(cord_material(scenario_.rope));
+    pocket_.lower_rods = model.add_material(rod_material(scenario_.rods, scenario_.rods.wall_lower));
+    pocket_.upper_rods = model.add_material(rod_material(scenario_.rods, scenario_.rods.wall_upper));
+    model.contact = {.restitution = scenario_.contact.restitution,
+                     .friction = scenario_.contact.friction,
+                     .friction_velocity = scenario_.contact.friction_velocity,
+                     .cords = scenario_.contact.cords,
+                     .bodies = scenario_.contact.bodies};
+    model.gravity = scenario_.solver.gravity;
+    add_bodies();
+    add_rods();
+    add_lower_net();
+    add_upper_net();
+    add_closing_ropes();
+    finish_structure();
+    return std::move(pocket_);
+  }
+
+ private:
+  const Eigen::Vector2d& profile(int i) const { return scenario_.rods.profile[i]; }
+  Eigen::Vector3d on_rod(int rod, double r, double y) const {
+    const Eigen::Vector3d out = sectors_.radial(rod % sectors_.sectors());
+    return {r * out.x(), y, r * out.z()};
+  }
+
+  void add_bodies();
+  void add_rods();
+  void add_lower_net();
+  void add_upper_net();
+  void add_closing_ropes();
+  void finish_structure();
+  SectorIndex panel_node(const SectorIndex& rod_node, double across);
+  void add_net_thread(const std::vector<SectorIndex>& knots, const std::string& what);
+
+  const Scenario& scenario_;
+  int columns_, rows_;
+  Pocket pocket_;
+  SectorBuilder sectors_;
+  std::int32_t net_ = 0, rope_ = 0;
+  std::vector<SectorIndex> lower_rows_;  // rod nodes from the kink row (0) downwards
+  std::vector<SectorIndex> upper_rows_;  // rod nodes from the kink row (0) up to the tip
+  SectorIndex root_;
+  SectorThread lower_, upper_;
+  Grid lower_grid_;
+  std::vector<SectorThread> ropes_;
+};
+
+Shape shape_of_target(const Scenario& scenario) {
+  auto shape = target_shape(scenario);
+  if (const auto* problem = std::get_if<Diagnostic>(&shape)) throw std::runtime_error(problem->text());
+  return std::get<Shape>(std::move(shape));
+}
+
+void PocketBuilder::add_bodies() {
+  const SpacecraftParameters& craft = scenario_.spacecraft;
+  const TargetParameters& target = scenario_.target;
+  const Shape shape = shape_of_target(scenario_);
+  pocket_.spacecraft = pocket_.model.add_body({.name = "spacecraft",
+                                               .role = BodyRole::spacecraft,
+                                               .shape = Box{craft.size},
+                                               .mass = craft.mass,
+                                               .inertia = craft.inertia.asDiagonal(),
+                                               .state = {.position = craft.position},
+                                               .touches_cables = scenario_.contact.spacecraft});
+  pocket_.target = pocket_.model.add_body({.name = "target",
+                                           .role = BodyRole::target,
+                                           .shape = shape,
+                                           .mass = target.mass,
+                                           .inertia = target_inertia(target, shape),
+                                           .state = {.position = target.position,
+                                                     .attitude = rotation_by(target.attitude),
+                                                     .velocity = target.velocity,
+                                                     .angular_velocity = target.spin},
+                                           .youngs_modulus = target.youngs_modulus,
+                                           .poisson_ratio = target.poisson_ratio});
+}
+
+void PocketBuilder::add_rods() {
+  const Eigen::Vector2d root = profile(0), kink = profile(1), tip = profile(2);
+  const auto rod_node = [&](double r, double y) {
+    return sectors_.add_node([this, r, y](int sector) { return on_rod(sector, r, y); });
+  };
+  root_ = rod_node(root.x(), root.y());
+  // The triangular grid's virtual apex is where the rods' lower parts would meet on the axis.
+  const double apex_y = root.y() - root.x() * (kink.y() - root.y()) / (kink.x() - root.x());
+  lower_rows_.push_back(rod_node(kink.x(), kink.y()));
+  for (int row = 1; row < columns_; ++row) {
+    const double part = static_cast<double>(columns_ - row) / columns_;
+    if (part * kink.x() < kRootClearance * root.x()) break;
+    lower_rows_.push_back(rod_node(part * kink.x(), apex_y + part * (kink.y() - apex_y)));
+  }
+  upper_rows_.push_back(lower_rows_.front());
+  for (int row = 1; row <= rows_; ++row) {
+    const double part = static_cast<double>(row) / rows_;
+    upper_rows_.push_back(rod_node((1 - part) * kink.x() + part * tip.x(), (1 - part) * kink.y() + part * tip.y()));
+  }
+
+  const int own = scenario_.rods.elements_per_side;
+  const int per_side = own > 0 ? own : scenario_.pocket.elements_per_side;
+  std::vector<SectorIndex> knots = {root_};
+  knots.insert(knots.end(), lower_rows_.rbegin(), lower_rows_.rend());
+  std::vector<int> divisions(knots.size() - 1, per_side);
+  // The stub between the clamp and the first row is shorter than the other sides.
+  const double row_height = (kink.y() - apex_y) / columns_;
+  const double stub = sectors_.position(lower_rows_.back(), 0).y() - root.y();
+  divisions.front() = std::max(1, static_cast<int>(std::lround(per_side * stub / row_height)));
+  const auto name = [](int sector) { return fmt::format("rod {}", sector + 1); };
+  lower_ = sectors_.add_thread(knots, divisions, pocket_.lower_rods, PocketGroup::rods, name);
+  upper_ =
+      sectors_.add_thread(upper_rows_, std::vector<int>(rows_, per_side), pocket_.upper_rods, PocketGroup::rods, name);
+
+  Model& model = pocket_.model;
+  for (int sector = 0; sector < sectors_.sectors(); ++sector) {
+    model.clamp_to_body(sectors_.node(root_, sector), sectors_.gradient(lower_.gradients.front(), sector),
+                        pocket_.spacecraft);
+    const std::int32_t below = sectors_.gradient(lower_.gradients.back(), sector);
+    const std::int32_t above = sectors_.gradient(upper_.gradients.front(), sector);
+    const Eigen::Vector3d t1 = model.gradients[below].value, t2 = model.gradients[above].value;
+    // Rotation about the circumferential direction n that takes t1 to t2.
+    const Eigen::Vector3d out = sectors_.radial(sector);
+    const Eigen::Vector3d n(-out.z(), 0, out.x());
+    const double sine = n.dot(t1.cross(t2)), cosine = t1.dot(t2);
+    Eigen::Matrix3d cross;
+    cross << 0, -n.z(), n.y(), n.z(), 0, -n.x(), -n.y(), n.x(), 0;
+    const Eigen::Matrix3d along = n * n.transpose();
+    model.hinges.push_back({below, above, cosine * (Eigen::Matrix3d::Identity() - along) + sine * cross + along,
+                            pocket_.spacecraft, scenario_.rods.hinge_stiffness, scenario_.rods.hinge_damping});
+    model.nodes[sectors_.node(upper_rows_.back(), sector)].point_mass = scenario_.rods.tip_mass;
+  }
+}
+
+// The node at the fraction `across` of the way from a rod's node to the next rod's.
+SectorIndex PocketBuilder::panel_node(const SectorIndex& rod_node, double across) {
+  return sectors_.add_node([this, rod_node, across](int sector) -> Eigen::Vector3d {
+    return (1 - across) * sectors_.position(rod_node, sector) + across * sectors_.position(rod_node.of_next(), sector);
+  });
+}
+
+void PocketBuilder::add_net_thread(const std::vector<SectorIndex>& knots, const std::string& what) {
+  if (knots.size() < 2) return;
+  const std::vector<int> divisions(knots.size() - 1, scenario_.pocket.elements_per_side);
+  // Straight cords would buckle in whatever direction round-off gives them; these know theirs.
+  const Bow bow{scenario_.pocket.bow, {0, profile(1).y(), 0}};
+  sectors_.add_thread(
+      knots, divisions, net_, PocketGroup::net,
+      [&](int sector) { return fmt::format("panel {} {}", sector + 1, what); }, bow);
+}
+
+void PocketBuilder::add_lower_net() {
+  const int row_count = static_cast<int>(lower_rows_.size());
+  for (int row = 0; row < row_count; ++row) {
+    const int cells = columns_ - row;
+    for (int place = 0; place <= cells; ++place) {
+      if (place == 0) {
+        lower_grid_[{row, place}] = lower_rows_[row];
+      } else if (place == cells) {
+        lower_grid_[{row, place}] = lower_rows_[row].of_next();
+      } else {
+        lower_grid_[{row, place}] = panel_node(lower_rows_[row], static_cast<double>(place) / cells);
+      }
+    }
+  }
+  for (int row = 0; row < row_count; ++row) {
+    std::vector<SectorIndex> knots;
+    for (int place = 0; place <= columns_ - row; ++place) knots.push_back(lower_grid_[{row, place}]);
+    add_net_thread(knots, row == 0 ? "kink row" : fmt::format("lower row {}", row));
+  }
+  for (int line = 1; line < columns_; ++line) {
+    std::vector<SectorIndex> along_this, along_next;  // parallel to rod s and to rod s+1
+    for (int row = 0; row < row_count; ++row) {
+      if (line <= columns_ - row) along_this.push_back(lower_grid_[{row, line}]);
+      if (line - row >= 0) along_next.push_back(lower_grid_[{row, line - row}]);
+    }
+    add_net_thread(along_this, fmt::format("diagonal {} along its first rod", line));
+    add_net_thread(along_next, fmt::format("diagonal {} along its second rod", line));
+  }
+}
+
+void PocketBuilder::add_upper_net() {
+  std::vector<std::vector<SectorIndex>> grid(rows_ + 1, std::vector<SectorIndex>(columns_ + 1));
+  for (int place = 0; place <= columns_; ++place) grid[0][place] = lower_grid_[{0, place}];
+  for (int row = 1; row <= rows_; ++row) {
+    grid[row].front() = upper_rows_[row];
+    grid[row].back() = upper_rows_[row].of_next();
+    for (int place = 1; place < columns_; ++place) {
+      grid[row][place] = panel_node(upper_rows_[row], static_cast<double>(place) / columns_);
+    }
+  }
+  for (int row = 1; row <= rows_; ++row) {
+    add_net_thread(grid[row], row == rows_ ? "mouth row" : fmt::format("upper row {}", row));
+  }
+  for (int place = 1; place < columns_; ++place) {
+    std::vector<SectorIndex> knots;
+    for (int row = 0; row <= rows_; ++row) knots.push_back(grid[row][place]);
+    add_net_thread(knots, fmt::format("column {}", place));
+  }
+}
+
+void PocketBuilder::add_closing_ropes() {
+  const SectorIndex tip = upper_rows_.back();
+  const SectorThread thread =
+      sectors_.add_thread({tip, tip.of_next()}, {scenario_.closing.elements}, rope_, PocketGroup::closing_ropes,
+                          [](int sector) { return fmt::format("closing rope {}", sector + 1); });
+  double first_open = 0;  // of the first sector
+  for (int sector = 0; sector < sectors_.sectors(); ++sector) {
+    const double open = (sectors_.position(tip.of_next(), sector) - sectors_.position(tip, sector)).norm();
+    VariableRope rope;
+    for (const std::int32_t local : thread.elements) rope.elements.push_back(sectors_.element(local, sector));
+    if (sector == 0) first_open = open;
+    if (sector > 0 && open == first_open) rope.same_motion_as = 0;
+    rope.motion = [schedule = ClosingSchedule(scenario_.closing, open)](double time) {
+      const ClosingState state = schedule.at(time);
+      return RopeMotion{state.length, state.speed, state.acceleration};
+    };
+    pocket_.model.ropes.push_back(std::move(rope));
+  }
+}
+
+void PocketBuilder::finish_structure() {
+  Model& model = pocket_.model;
+  model.nodes.shrink_to_fit();
+  model.gradients.shrink_to_fit();
+  model.elements.shrink_to_fit();
+  model.element_groups = pocket_groups();
+  const auto add_group = [&](const char* name, NodeLook look, SectorIndex node) {
+    NodeGroup group{name, look, {}};
+    for (int sector = 0; sector < sectors_.sectors(); ++sector) group.nodes.push_back(sectors_.node(node, sector));
+    model.node_groups.push_back(std::move(group));
+  };
+  add_group(kRodRoots, NodeLook::adapter, root_);
+  add_group(kRodKinks, NodeLook::joint, lower_rows_.front());
+  add_group(kRodTips, NodeLook::reel, upper_rows_.back());
+  pocket_.structure = model.structure();
+}
+
+}  // namespace
+
+Pocket build_pocket(const Scenario& scenario) { return PocketBuilder(scenario).build(); }
+
+}  // namespace netpocket
