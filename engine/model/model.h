@@ -1,17 +1,18 @@
 #pragma once
-// A mechanical model of cables, rigid bodies and joints: what is simulated, with no state of a run. Any net, rope or
-// beam frame can be described, with or without a pocket. SI units, world frame.
+// A mechanical model of cables, rigid bodies and joints. It describes what is simulated and holds no state of a run. It
+// can describe any net, rope or beam frame, with or without a pocket. SI units, world frame. A value type.
 //
-// Coordinates: every node has a position; every gradient (dr/dp, p the material coordinate in metres) belongs to one
-// node. A node may carry several gradients: one for each thread through it. Elements share positions and gradients by
-// index, so knots need no constraint equations.
+// Coordinates. Every node has a position. Every gradient (dr/dp, with the material coordinate p in metres) belongs to
+// one node. A node may carry several gradients: one for each thread through it. Elements share positions and gradients
+// by index, so knots need no constraint equations.
 //
-// Speed: elements are computed eight at a time. Number nodes, gradients and elements of repeated parts with the part's
-// index running fastest (node = local * parts + part) to let eight parts be read without gathering.
+// Speed. Elements are computed eight at a time. Number the nodes, gradients and elements of repeated parts so that the
+// index of the part runs fastest (node = local * parts + part). Then the kernels read eight parts without gathering.
 
 #include <Eigen/Core>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,14 +25,14 @@ namespace netpocket {
 
 enum class Support : std::uint8_t {
   free,
-  fixed,  // stays where it is
-  body    // moves with a rigid body (a position as a point of it, a gradient as a direction)
+  fixed,  // does not move
+  body    // moves with a rigid body: a position as a point fixed to it, a gradient as a direction fixed to it
 };
 
 struct ModelNode {
   Eigen::Vector3d position;                            // m
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  // m/s
-  double point_mass = 0;                               // kg, besides the elements' mass
+  double point_mass = 0;                               // kg, in addition to the elements' mass
   Eigen::Vector3d load = Eigen::Vector3d::Zero();      // N, constant force
   Support support = Support::free;
   std::int32_t body = -1;
@@ -51,9 +52,9 @@ struct CableMaterial {
   double radius = 0;          // m, outer, for contact and drawing
   double youngs_modulus = 0;  // Pa, for the contact stiffness
   double poisson_ratio = 0;
-  // Inflated tube: moment beyond which its wall wrinkles (ancf/wrinkling.h), N m. None by default; a run can change it.
+  // Inflated tube: moment (N m) beyond which its wall wrinkles (ancf/wrinkling.h). Infinite: none. A run can change it.
   double wrinkling_moment = std::numeric_limits<double>::infinity();
-  bool is_tube = false;  // whether there is a wall that may wrinkle, then or later
+  bool is_tube = false;  // whether the wall may wrinkle at any time of a run
 };
 
 struct ModelElement {
@@ -62,9 +63,9 @@ struct ModelElement {
   std::int32_t material;
   std::int32_t group = 0;  // index into Model::element_groups
   std::int32_t thread = 0;
-  // The next or previous element of its thread with which it shares its axial strain (ancf/strain_pair.h): of the same
-  // length and material, whose compression is full, and with this one as its strain partner; -1: none. The full
-  // evaluation has none.
+  // Adjacent element of its thread with which it shares its axial strain (ancf/strain_pair.h); -1: none. Both must have
+  // the same length and the same material, which carries full compression, and each must be the strain partner of the
+  // other. The full evaluation ignores strain partners.
   std::int32_t strain_partner = -1;
 };
 
@@ -80,10 +81,10 @@ struct ModelBody {
   double poisson_ratio = 0.33;
 };
 
-// Elastic joint between two gradients of one node: keeps `gradient2` at the rest angle to `gradient1` by a moment
-// M = stiffness * angle + damping * rate, where the angle is measured between gradient2 and gradient1 turned by
-// `rest_rotation`. The rotation's axes move with `body` (world axes for -1), which takes the balance of moments: this
-// is what keeps the plane of a kink although a cable element has no torsion.
+// Elastic joint between two gradients of one node. It keeps `gradient2` at the rest angle to `gradient1` by the moment
+// M = stiffness * angle + damping * rate. The angle is that between gradient2 and gradient1 rotated by `rest_rotation`.
+// The axes of this rotation move with `body` (-1: world axes), which receives the balance of moments. So the plane of a
+// kink is kept although a cable element has no torsion.
 struct Hinge {
   std::int32_t gradient1, gradient2;
   Eigen::Matrix3d rest_rotation;
@@ -92,13 +93,13 @@ struct Hinge {
   double damping;    // N m s/rad
 };
 
-// How cables and bodies touch: law and constants of engine/contact/force_law.h.
+// Contact of cables and bodies: constants of the laws in engine/contact/force_law.h.
 struct ContactSettings {
   double restitution = 0.5;
   double friction = 0;
   double friction_velocity = 1e-3;  // m/s
-  bool cords = false;               // cords touch each other too
-  bool bodies = false;              // rigid bodies touch each other too
+  bool cords = false;               // whether cords touch each other
+  bool bodies = false;              // whether rigid bodies touch each other
 };
 
 struct RopeMotion {
@@ -109,13 +110,13 @@ struct RopeMotion {
   bool operator==(const RopeMotion&) const = default;
 };
 
-// A chain of elements whose material is wound in (or let out) by retractors at its end nodes. Its inner nodes stay
-// evenly spread over the length. Wound-up mass joins the end nodes.
+// A chain of elements whose material is wound in or out by retractors at its end nodes. Its inner nodes stay evenly
+// spaced along the material. The mass of wound-up material is added to the end nodes.
 struct VariableRope {
   std::vector<std::int32_t> elements;             // indices into Model::elements, from one end to the other
   std::function<RopeMotion(double time)> motion;  // pure function of time
-  double share_at_start = 0.5;                    // part of the winding done by the retractor at the first node
-  std::int32_t same_motion_as = -1;               // an earlier rope with the same motion, if known: need not be asked
+  double share_at_start = 0.5;                    // fraction of the winding done by the retractor at the first node
+  std::int32_t same_motion_as = -1;               // earlier rope with the same motion, to save calls; -1: none known
 };
 
 struct Model {
@@ -132,17 +133,19 @@ struct Model {
   ContactSettings contact;
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  // m/s^2
 
+  // Each add function returns the index of what it added.
   std::int32_t add_node(const Eigen::Vector3d& position);
   std::int32_t add_gradient(std::int32_t node, const Eigen::Vector3d& value);
   std::int32_t add_material(const CableMaterial& material);
   std::int32_t add_element(const ModelElement& element);
-  // Makes two elements each other's strain partner.
+  // Makes two elements strain partners of each other.
   void pair(std::int32_t first, std::int32_t second);
   std::int32_t add_thread(const std::string& name);
   std::int32_t add_body(const ModelBody& body);
 
-  // A straight chain of `count` elements from the node `begin` to the node `end`, at its natural length, one gradient
-  // per node (the first and the last are new gradients of the end nodes). Returns the indices of its elements.
+  // Adds a straight, unstrained chain of `count` elements (1 or more) from the node `begin` to the node `end`, which
+  // must not coincide. Each of its nodes gets one new gradient, the end nodes as well. Returns the indices of its
+  // elements.
   std::vector<std::int32_t> add_straight_cable(std::int32_t begin, std::int32_t end, int count, std::int32_t material,
                                                std::int32_t group = 0, std::int32_t thread = 0);
 
@@ -150,11 +153,14 @@ struct Model {
   void fix_gradient(std::int32_t gradient) { gradients[gradient].support = Support::fixed; }
   void clamp_to_body(std::int32_t node, std::int32_t gradient, std::int32_t body);
 
-  // Material that element `index` is made of.
+  // Material of the element `index`.
   const CableMaterial& material_of(std::int32_t index) const { return materials[elements[index].material]; }
   double radius_of(std::int32_t element) const { return material_of(element).radius; }  // m
   Structure structure() const;
-  // Mass of cables and point masses, kg.
+  // What makes the model impossible to step, one sentence that names the item: an index that does not exist, a length,
+  // mass or stiffness that is missing, a number that is not finite. Nothing when it is sound.
+  std::optional<std::string> find_fault() const;
+  // Mass of cables and point masses, kg, without bodies.
   double cable_mass() const;
 };
 

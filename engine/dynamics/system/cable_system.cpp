@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <set>
+#include <stdexcept>
 #include <utility>
 
 #include "engine/ancf/mass.h"
@@ -15,12 +16,12 @@
 namespace netpocket {
 namespace {
 
-// Below this number of elements a second thread costs more than it gives.
+// With fewer elements than this, a second thread costs more time than it saves.
 constexpr std::size_t kFewestElementsForThreads = 8000;
-// Speeds beyond this (m/s) are a failure of the integration, not a motion.
+// A speed above this (m/s) is a failure of the integration, not a motion.
 constexpr double kRunawaySpeed = 1e4;
 
-// For messages; a runaway's size is all that matters.
+// For messages. Of a runaway only the order of magnitude matters.
 std::string speed_text(double speed) {
   return speed < kRunawaySpeed ? fmt::format("{:.3g} m/s", speed) : fmt::format("{:.3g} km/s", speed / 1000);
 }
@@ -102,8 +103,8 @@ CableSystem::Impl::Impl(Model&& source, const SystemOptions& opts)
   begin_accounts();
 }
 
-// Farthest (m) that a point of a cord moves when the body turns by a radian: of an attached node, and of a curve whose
-// slope turns.
+// Largest distance (m) that a point of a cord moves per radian of the body's rotation: the farthest attached node, plus
+// the effect of a rotating attached gradient on the curve, at most a quarter of the longest element times the gradient.
 double CableSystem::Impl::reach_of_attachments(const DynamicBody& body) const {
   double longest = 0, farthest = 0, steepest = 0;
   for (const double length : element_length) longest = std::max(longest, length);
@@ -114,14 +115,15 @@ double CableSystem::Impl::reach_of_attachments(const DynamicBody& body) const {
   return farthest + 0.25 * longest * steepest;
 }
 
-// Anew: a system that is displaced or given other springs before its first step begins from there.
+// Called again when a system is displaced or its springs change before the first step: accounts then begin at that
+// state.
 void CableSystem::Impl::begin_accounts() {
   initial_input = 0;
   compute_forces(1e-4);
   const EnergyAudit start = audit();
   initial_energy = start.kinetic + start.strain + start.contact;
   initial_input = start.input;
-  step_of_audit = -1;  // that one knew no start
+  step_of_audit = -1;  // that audit did not yet know the initial energy
 }
 
 void CableSystem::Impl::set_initial_state() {
@@ -158,7 +160,7 @@ void CableSystem::Impl::collect_mass() {
   }
 }
 
-// Hinges in their order, a new block wherever the body that keeps their plane changes.
+// Keeps the hinges' order and begins a new block wherever the body that keeps the hinge plane changes.
 void CableSystem::Impl::collect_hinges() {
   for (const Hinge& hinge : model.hinges) {
     if (hinges.empty() || hinges.back().body != hinge.body || hinges.back().count == kBlockSize) {
@@ -166,7 +168,7 @@ void CableSystem::Impl::collect_hinges() {
       hinges.back().body = hinge.body;
     }
     HingeBlock& block = hinges.back();
-    // SimdDouble without a hinge see this one, too, but what they find is not asked for.
+    // Fill the unused lanes with this hinge too. Their results are ignored.
     for (int lane = block.count; lane < kBlockSize; ++lane) {
       for (int i = 0; i < 9; ++i) block.rest_rotation[i][lane] = hinge.rest_rotation.data()[i];
       block.stiffness[lane] = hinge.stiffness;
@@ -178,7 +180,7 @@ void CableSystem::Impl::collect_hinges() {
   }
 }
 
-// Whether an element's second node is the middle one of its pair.
+// Whether the element's second node is the middle node of its pair.
 bool CableSystem::Impl::ends_at_strain_partner(const BatchElement& element) const {
   return element.coordinate[2] == coordinate(static_cast<std::size_t>(element.strain_partner), 0);
 }
@@ -195,7 +197,7 @@ void CableSystem::Impl::set_length(std::size_t element, double length) {
   wave_rate[element] = rate * rate;
 }
 
-// Brings lengths and masses of ropes to the present time.
+// Brings the lengths and masses of ropes to the present time.
 void CableSystem::Impl::update_ropes() {
   if (ropes.empty() || !ropes.set_time(time)) return;
   for (std::size_t i = 0; i < mass_without_ropes.size(); ++i) {
@@ -242,8 +244,10 @@ MaterialSpan CableSystem::Impl::span(std::size_t element) const {
   return variable != nullptr ? *variable : MaterialSpan{.length = element_length[element]};
 }
 
-CableSystem::CableSystem(Model model, const SystemOptions& options)
-    : impl_(std::make_unique<Impl>(std::move(model), options)) {}
+CableSystem::CableSystem(Model model, const SystemOptions& options) {
+  if (const auto fault = model.find_fault()) throw std::invalid_argument(*fault);
+  impl_ = std::make_unique<Impl>(std::move(model), options);
+}
 CableSystem::~CableSystem() = default;
 CableSystem::CableSystem(CableSystem&&) noexcept = default;
 CableSystem& CableSystem::operator=(CableSystem&&) noexcept = default;
@@ -256,18 +260,19 @@ ElementEvaluation CableSystem::evaluation() const { return impl_->options.evalua
 void CableSystem::step(double dt) { impl_->step(dt); }
 
 StableStep CableSystem::stable_step() {
-  impl_->update_ropes();  // their length is that of the last step's start
+  impl_->update_ropes();  // until now they have the length of the last step's start
   std::vector<BatchElement> now = impl_->batch_elements();
   for (std::size_t i = 0; i < now.size(); ++i) now[i].length = impl_->element_length[i];
   if (impl_->consistent_mass) return find_stable_step_of_full_elements(impl_->model, now, impl_->coordinates);
   return find_stable_step(impl_->model, impl_->layout, now, impl_->inverse_mass, impl_->coordinates);
 }
 
-// Where an element is bent, stretching acts on its slopes too, and the two of a pair that meet at an angle no longer
-// cancel; at a strain eps the Green strain's stiffness along a cord is EA (1 + 2 eps) + N = EA (1 + 3 eps). The parts
-// of a stiffness K_1 + K_2 with largest squares of frequencies l_1 and l_2 have (l_1 + l_2)/2 + sqrt((l_1 - l_2)^2/4 +
-// o l_1 l_2) together, o <= 1 the overlap of their motions. Power iteration on shapes of captures gives o = 0.03 with
-// l_2 as large as it is taken here.
+// Two effects raise the frequencies above those of straight cables.
+// - Bends: stretching also acts on the gradients of a bent element, and the two elements of a pair no longer cancel
+//   where they meet at an angle. Let K_1 and K_2 have the largest squared frequencies l_1 and l_2. Then K_1 + K_2 has
+//   (l_1 + l_2)/2 + sqrt((l_1 - l_2)^2/4 + o l_1 l_2), where o <= 1 is the overlap of the two modes. Power iteration on
+//   shapes of captures gives o = 0.03, with l_2 as large as it is taken here.
+// - Tension: at strain eps the Green strain's stiffness along a cord is EA (1 + 2 eps) + N = EA (1 + 3 eps).
 double CableSystem::stable_step_as_bent(const StableStep& straight) {
   constexpr double kOverlap = 0.25;
   Impl& s = *impl_;
@@ -296,13 +301,12 @@ double CableSystem::stable_step_as_bent(const StableStep& straight) {
   }
   const double bent = of_bends / straight.stiffness;
   const double together = 0.5 * (1 + bent + std::sqrt((1 - bent) * (1 - bent) + 4 * kOverlap * bent));
-  // Damping of stretching follows its stiffness.
+  // Damping of stretching grows in proportion to its stiffness.
   const double ratio = together + 3 * strain;
   return stable_step_of_mode(straight.stiffness * ratio, straight.damping * ratio);
 }
 
-// Whether every number is finite and no coordinate moves so fast that an element's end could run away: cheap, errs on
-// the safe side.
+// Whether every number is finite and no element end can exceed kRunawaySpeed. A cheap test that errs on the safe side.
 bool CableSystem::Impl::looks_sound() {
   double longest = 1;
   for (const double length : element_length) longest = std::max(longest, length);
@@ -363,7 +367,7 @@ void CableSystem::displace(std::span<const Eigen::Vector3d> displacements) {
 void CableSystem::control(std::int32_t body, const BodyControl& control) {
   impl_->controls[body] = control;
   impl_->step_of_audit = -1;
-  // Bodies in contact meet each other as controls move them.
+  // The contact forces of bodies depend on the motion that their controls impose.
   if (impl_->body_contacts && impl_->body_contacts->count() > 0) impl_->forget_forces();
 }
 void CableSystem::set_rope_motion(const std::function<RopeMotion(double)>& motion) {
@@ -417,8 +421,8 @@ ContactDepths CableSystem::take_deepest_contacts() { return std::exchange(impl_-
 
 void CableSystem::visit_state(const std::function<void(double&)>& visit) {
   Impl& s = *impl_;
-  // Nothing is touched unless the visitor changes it: to look at the state must not change a bit of the run. Bits are
-  // compared, since a zero has a sign.
+  // The state is written only if the visitor changes it: observing the state must not change a bit of the run. Bits are
+  // compared because 0.0 and -0.0 compare equal.
   bool changed = false;
   const std::function<void(double&)> visit_number = [&](double& number) {
     const auto before = std::bit_cast<std::uint64_t>(number);
@@ -464,12 +468,12 @@ void CableSystem::visit_state(const std::function<void(double&)>& visit) {
     s.body_contacts->visit_state(visit);
   }
   s.ropes.visit_state(visit_number);
-  // A file may hold what is no count.
+  // A file may hold a number that is not a valid count.
   if (steps >= 0 && steps < 9e15) s.steps = static_cast<std::int64_t>(steps);
   if (changed) s.state_has_jumped();
 }
 
-// Positions have changed other than by a step.
+// To be called when positions have changed in another way than by a step.
 void CableSystem::Impl::state_has_jumped() {
   step_of_states = step_of_speed = -1;
   forget_forces();

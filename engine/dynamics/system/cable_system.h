@@ -1,10 +1,13 @@
 #pragma once
-// Steps a Model in time: explicit symplectic integration (leapfrog) of cables, rigid bodies, hinges, variable-length
-// ropes and contact, with an account of all energy.
+// Steps a Model in time by explicit symplectic integration (leapfrog): cables, rigid bodies, hinges, variable-length
+// ropes and contact. Keeps an account of all energy. World frame, SI units.
 //
 //   Model model;  ... nodes, cables, bodies ...
 //   CableSystem system(model, {});
 //   while (system.time() < 1) system.step(system.stable_step().step * 0.8);
+//
+// Positions and gradients belong to step n, velocities to step n - 1/2. The full evaluation throws
+// std::invalid_argument on construction if its mass matrix is singular.
 //
 // Thread contract: one thread at a time per object. With options.threads > 1 a step uses that many threads inside; the
 // result is the same to the last bit for any number.
@@ -34,54 +37,55 @@ struct SystemOptions {
   int threads = 1;
 };
 
-// J, spent since the start. No part ever falls.
+// Energy (J) dissipated since the start. No part ever decreases.
 struct SpentEnergy {
   double in_cords = 0;     // damping of cords, ropes and rods
-  double at_hinges = 0;    // their dampers
-  double in_contacts = 0;  // dampers of contacts, and blows that they stop within a step
+  double at_hinges = 0;    // dampers of hinges
+  double in_contacts = 0;  // dampers of contacts, and impacts that contacts stop within a step
   double by_friction = 0;
 
   double total() const { return (in_cords + at_hinges) + (in_contacts + by_friction); }
 };
 
-// J, at one moment.
+// Energies (J) at one moment.
 struct EnergyAudit {
   double kinetic = 0;
   double strain = 0;
-  double contact = 0;  // in the springs of contacts
-  double input = 0;    // work of retractors, controls, gravity and loads since the start
+  double contact = 0;  // stored in the springs of contacts
+  double input = 0;    // work since the start: retractors, controls, gravity and loads
   SpentEnergy spent;
-  double error = 0;  // kinetic + strain + contact + spent - input, less its value at the start
-  // Of the cables' motion, what a step does not resolve: of a wave of frequency w, (w dt/2)^2 of its energy. The
-  // integrator conserves the kinetic energy without it, so that the error follows it to and fro.
+  double error = 0;  // kinetic + strain + contact + spent - input, minus its value at the start
+  // Aliased energy: the part of the cables' energy that the step does not resolve. For a wave of frequency w it is
+  // (w dt/2)^2 of the wave's energy. The integrator conserves the total without this part, so `error` follows it.
   double aliased = 0;
 };
 
-// Of cords, ropes and rods that touch each other.
+// Contacts of cords, ropes and rods with each other.
 struct CordContactSum {
-  int count = 0;            // places
-  double normal_force = 0;  // N, sum over these
-  double overlap = 0;       // the deepest penetration, of the sum of the two radii
+  int count = 0;            // contact places
+  double normal_force = 0;  // N, sum over the places
+  double overlap = 0;       // largest overlap, as a fraction of the sum of the two radii
 };
 
-// The deepest contacts of cords.
+// Deepest contacts of cords.
 struct ContactDepths {
-  double penetration = 0;    // m, in bodies
-  ContactDepth pressed;      // into a body, deepest by its radius
-  ContactDepth overlapping;  // with another cord
+  double penetration = 0;    // m, deepest penetration into a body
+  ContactDepth pressed;      // deepest penetration into a body, relative to the cord's radius
+  ContactDepth overlapping;  // deepest overlap with another cord, relative to the sum of the radii
 };
 
-// Of rigid bodies that touch each other.
+// Contacts of rigid bodies with each other.
 struct BodyContactSum {
-  int count = 0;                                 // places
-  double normal_force = 0;                       // N, sum over these
-  double penetration = 0;                        // m, the deepest
-  double stored = 0;                             // J, in their springs
-  double damping_power = 0, friction_power = 0;  // W, taken out of the motion at the present velocities
+  int count = 0;                                 // contact places
+  double normal_force = 0;                       // N, sum over the places
+  double penetration = 0;                        // m, deepest
+  double stored = 0;                             // J, in the springs
+  double damping_power = 0, friction_power = 0;  // W, dissipated at the present velocities
 };
 
 class CableSystem {
  public:
+  // Throws std::invalid_argument with Model::find_fault()'s sentence when the model has a fault.
   explicit CableSystem(Model model, const SystemOptions& options = {});
   ~CableSystem();
   CableSystem(CableSystem&&) noexcept;
@@ -90,37 +94,39 @@ class CableSystem {
   const Model& model() const;
   double time() const;  // s
   std::int64_t steps() const;
-  double helpers_cpu_seconds() const;  // processor time of the threads that help the caller's, s
+  double helpers_cpu_seconds() const;  // processor time (s) of the threads that help the caller's thread
   ElementEvaluation evaluation() const;
 
-  // Largest stable step at the present rope lengths, without a safety factor.
+  // Largest stable step at the present rope lengths, without a safety factor. Mean-strain elements are taken as
+  // straight.
   StableStep stable_step();
-  // The same (s) with what the present bends and tensions of the cables add to the stiffness; `straight`: stable_step()
-  // at about these rope lengths.
+  // Largest stable step (s) that also accounts for the stiffness from the cables' present bends and tensions.
+  // `straight`: the result of stable_step() at about these rope lengths.
   double stable_step_as_bent(const StableStep& straight);
-  // One step of `dt` (s). Steps may differ in size; large jumps cost accuracy.
+  // Advances the state by one step of `dt` (s). Steps may differ in size; large jumps cost accuracy.
   void step(double dt);
-  // What is wrong with the state, if it is no longer finite or flies apart: one sentence that names the cable, its
-  // contact in the last step, or the body.
+  // A sentence about the fault if the state is no longer finite or flies apart (10 km/s), else nothing. It names the
+  // cable and its contact in the last step, or the body.
   std::optional<std::string> fault() const;
 
   Eigen::Vector3d position(std::int32_t node) const;  // m
   Eigen::Vector3d velocity(std::int32_t node) const;  // m/s, at the last half step
   Eigen::Vector3d gradient(std::int32_t gradient) const;
   BodyState body(std::int32_t body) const;
-  // Of a body with what is attached to it, and what its control exerted in the last step, about their common centre.
+  // Motion of a body with its attachments, and the wrench that its control exerted in the last step. Both refer to the
+  // common centre of mass of the body and its attachments.
   RigidMotion motion(std::int32_t body) const;
   const Wrench& exerted(std::int32_t body) const;
   const RopeMotion& rope_motion(std::int32_t rope) const;
 
-  // Moves the free nodes (m, by node) before the first step; energies count from the state so made.
+  // Displaces the free nodes (m, by node). To be called before the first step: energies count from the displaced state.
   void displace(std::span<const Eigen::Vector3d> displacements);
-  // Imposed on a body from now on.
+  // Sets what acts on a body from outside, from now on.
   void control(std::int32_t body, const BodyControl& control);
-  // Replaces the law of winding of all ropes from now on.
+  // Replaces the winding law of all ropes from now on. The law returns the motion at a time (s).
   void set_rope_motion(const std::function<RopeMotion(double)>& motion);
   void set_friction(double coefficient);
-  // Wrinkling moment (N m) of the rods of a material. The change of their energy counts as work put in.
+  // Sets the wrinkling moment (N m) of the rods of a material. The change of their energy counts as input work.
   void set_wrinkling_moment(std::int32_t material, double moment);
 
   // Impulse (N s) that contact with cables has given to a body since the start.
@@ -131,28 +137,31 @@ class CableSystem {
   BodyContactSum body_contacts() const;
   // Contacts of cords with each other in the last step.
   CordContactSum cord_contacts() const;
-  // Those since the previous call.
+  // Deepest contacts since the previous call.
   ContactDepths take_deepest_contacts();
-  // Deepest penetration (m) of the last step.
+  // Deepest penetration (m) of cords into bodies in the last step.
   double penetration() const;
-  // Step (s) that the stiffness of contacts is for; 0 before the first one.
+  // Step (s) that the stiffness of contacts is based on; 0 before the first step.
   double contact_step() const;
-  // Whoever chooses the steps tells of each that is shorter than stability asks for.
+  // To be called by whoever chooses the steps, for each step that is shorter than stability requires.
   void note_shortened_step();
   const SafeguardCounts& safeguards() const;
-  // Of the last step, for messages: e.g. "rod 2 (element 31) is pressed 0.06 m into the target"; empty without contact.
+  // The deepest contact of the last step, for messages, e.g. "rod 2 (element 31) is pressed 0.06 m into the target".
+  // Empty without contact.
   std::string deepest_contact() const;
 
-  // Gives every number of the state to `visit`, always in the same order, which may read it or replace it: saving and
-  // restoring are the same walk. A system restored from another's state continues to the last bit as that one does.
+  // Gives every number of the state to `visit`, always in the same order. `visit` may read or replace the number, so
+  // this one walk both saves and restores. A system restored from another's state continues as that one to the last
+  // bit.
   void visit_state(const std::function<void(double&)>& visit);
 
-  // Energies now. Evaluates the forces once; does not change the motion.
+  // Energies now. Evaluates the forces at most once; does not change the motion.
   EnergyAudit audit();
-  // EnergyAudit::aliased (J) of a step of `dt` (s) from now on. Evaluates the forces once; does not change the
+  // EnergyAudit::aliased (J) for a next step of `dt` (s). Evaluates the forces at most once; does not change the
   // motion.
   double aliased_energy(double dt);
-  // Fills everything but the channels and returns the energies. Evaluates the forces once; does not change the motion.
+  // Fills everything in `snapshot` but the channels, and returns the energies. Evaluates the forces at most once; does
+  // not change the motion.
   EnergyAudit capture(Snapshot& snapshot);
 
  private:
