@@ -25,24 +25,24 @@
 namespace netpocket {
 namespace {
 
-// Steps between two checks that the state is sound, and between two copies of a sound state.
+// Numbers of steps between checks that the state is sound, and between copies of a sound state.
 constexpr std::int64_t kFaultInterval = 256;
 constexpr std::int64_t kCopyInterval = 16 * kFaultInterval;
-// Longest time (s) for which the step stays what the cables' shape allowed at its start.
+// Longest interval (s) of steps of equal size.
 constexpr double kLongestInterval = 0.01;
-// Ropes wound faster tear at the cords: ten times what a closing within 5 s needs.
+// Faster winding is named as the likely cause of a divergence. Ten times what a closing within 5 s needs.
 constexpr double kFastWinding = 30;  // m/s
-// Part of the first stable step below which no motion that means anything brings it.
+// The run has collapsed when its step is below this fraction of the first stable step. No meaningful motion gets there.
 constexpr double kCollapse = 1e-3;
 constexpr double kMostStepsOfInterval = 1e9;
-// Counts that a double holds exactly.
+// Largest integer up to which a double represents all integers exactly.
 constexpr double kLargestCount = 9007199254740992.0;
 
 std::string step_text(double seconds) {
   return seconds < 1e-3 ? fmt::format("{:.3g} µs", 1e6 * seconds) : fmt::format("{:.3g} ms", 1e3 * seconds);
 }
 
-// Of the threads that step a system: other runs of the process have theirs.
+// CPU time of the threads that step this system only: other runs may share the process.
 double cpu_seconds(const CableSystem& system) {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -82,28 +82,28 @@ struct Simulation::Impl {
   }
 
   Scenario scenario;
-  Pocket pocket;  // its model is the system's
+  Pocket pocket;  // its model has been moved to `system`
   CableSystem system;
   SpacecraftDrive drive;
   MaterialChanges material_changes;
   ChannelRecorder channels;
   StepChoice step_choice;
-  std::function<RopeMotion(double)> winding;  // the present law, of all closing ropes
-  double closing_changed = -1;                // s, when the closing law was last changed; negative: never
-  ClosingState closing_then{};                // of the ropes at that time
-  double time_step = 0;                       // s, in the present interval
-  std::int64_t interval = -1;                 // stretch of equal steps, one or more to an output interval
+  std::function<RopeMotion(double)> winding;  // present law of all closing ropes
+  double closing_changed = -1;                // s, time of the last change of the closing law; negative: never changed
+  ClosingState closing_then{};                // state of the ropes at closing_changed
+  double time_step = 0;                       // s, of the present interval
+  std::int64_t interval = -1;  // index of the present interval; an output interval has one or more; -1: none begun
   std::int64_t interval_steps = 1, steps_in_interval = 0;
   double wall = 0, cpu = 0;
-  std::vector<double> sound_state;  // a copy at step sound_step; empty: none yet
+  std::vector<double> sound_state;  // state at step sound_step; empty: none yet
   std::int64_t sound_step = 0;
-  std::int64_t checked_step = 0;             // at which the last check passed
-  std::vector<std::int64_t> snapshot_steps;  // at which snapshots have been taken since the copy
+  std::int64_t checked_step = 0;             // step of the last check that passed
+  std::vector<std::int64_t> snapshot_steps;  // steps at which snapshots have been taken since sound_step
   std::int64_t failed_step = 0;
   double failed_step_size = 0;  // s
-  std::string defect;           // of a motion whose numbers are sound, since the last check; empty: none
+  std::string defect;           // fault of a motion whose numbers are sound, since the last check; empty: none
 
-  // Small random displacements of the free net nodes, to see how asymmetry grows.
+  // Displaces the free net nodes randomly by a little, to show how asymmetry grows.
   void perturb() {
     if (scenario.solver.perturbation <= 0) return;
     std::mt19937 generator(static_cast<std::uint32_t>(scenario.solver.seed));
@@ -115,12 +115,12 @@ struct Simulation::Impl {
     system.displace(displacements);
   }
 
-  // Goes over to the laws of another scenario at the present time.
+  // Changes to the strategy of another scenario at the present time.
   void adopt(const Scenario& next) {
     const bool closing_changes = std::ranges::any_of(
         parameters(), [&](const Parameter& p) { return p.group() == "closing" && !(p.get(next) == p.get(scenario)); });
     scenario = next;
-    sound_state.clear();  // the steps since would not repeat themselves
+    sound_state.clear();  // the steps since then cannot be repeated with the new strategy
     drive.change(next.towing, next.spacecraft.station_keeping, system.time());
     material_changes.change(next, system.time());
     if (!closing_changes) return;
@@ -129,7 +129,7 @@ struct Simulation::Impl {
     follow_changed_closing();
   }
 
-  // The ropes go over to the scenario's law from where they were when it was changed.
+  // Leads the ropes from their motion at the change to the law of the present scenario.
   void follow_changed_closing() {
     const double open = system.model().ropes.front().motion(0).length;
     winding = [transition = ClosingTransition(ClosingSchedule(scenario.closing, open), closing_changed, closing_then)](
@@ -152,7 +152,7 @@ struct Simulation::Impl {
     const auto visit_count = [&](std::int64_t& count) {
       double value = static_cast<double>(count);
       visit(value);
-      // Files hold states too: what is no count is none.
+      // The state may come from a file. A value that is not a count is ignored.
       if (value >= -1 && value <= kLargestCount) count = static_cast<std::int64_t>(value);
     };
     visit_count(interval);
@@ -169,7 +169,7 @@ struct Simulation::Impl {
 
   double intervals_of_frame() const { return std::ceil(1 / scenario.output.frame_rate / kLongestInterval); }
 
-  // Draws conclusions from the interval that ends now.
+  // Adapts the step limiter to the interval that ends now.
   void end_interval() {
     StepLimiter& limiter = step_choice.limiter();
     limiter.follow_contacts();
@@ -180,11 +180,11 @@ struct Simulation::Impl {
     limiter.follow_energy(energy.aliased, energy.strain + std::abs(energy.input) + energy.spent.total());
   }
 
-  // For an interval that ends at `end`, s.
+  // Step (s) for an interval that ends at `end` (s).
   double chosen_step(double end) {
     const double step = scenario.solver.safety * step_choice.stable_step(winding, end);
     if (interval > 0) return step;
-    // Displacements at the start may have put energy into waves that are too short for the step.
+    // Initial displacements may have put energy into waves that are too short for the step.
     StepLimiter& limiter = step_choice.limiter();
     limiter.anticipate_energy(system.aliased_energy(step), system.audit().strain);
     return limiter.factor() * step;
@@ -201,11 +201,11 @@ struct Simulation::Impl {
 
   void divide_rest() { divide(system.time(), interval_end() - system.time()); }
 
-  // Divides what is left of the interval, which begins then and is that long, into equal steps.
+  // Divides the rest of the interval into equal steps. It begins at `begin` and is `length` long (s).
   void divide(double begin, double length) {
     const double end = interval_end();
     const double allowed = scenario.solver.time_step > 0 ? scenario.solver.time_step : chosen_step(end);
-    const double steps = std::ceil(length / allowed);  // which may be no number where the state is lost
+    const double steps = std::ceil(length / allowed);  // not a number when the state has diverged
     interval_steps =
         static_cast<std::int64_t>(steps < kMostStepsOfInterval ? std::max(1.0, steps) : kMostStepsOfInterval);
     time_step = (end - begin) / static_cast<double>(interval_steps);
@@ -232,7 +232,8 @@ struct Simulation::Impl {
     material_changes.apply(system.time());
     system.control(pocket.spacecraft, drive.at(system.time(), system.motion(pocket.spacecraft)));
     const auto unresolved = [this] {
-      return system.safeguards().stopped_blows + system.safeguards().unresolved_contacts;
+      const SafeguardCounts& counts = system.safeguards();
+      return counts.stopped_blows + counts.unresolved_contacts + counts.stopped_cords;
     };
     const std::int64_t unresolved_before = unresolved();
     StepLimiter& limiter = step_choice.limiter();
@@ -249,7 +250,7 @@ struct Simulation::Impl {
     }
   }
 
-  // Says why the state is not sound, if so: then it is the last sound one again.
+  // Describes the fault if the state is not sound. The state is then set back to the last sound one.
   std::optional<RunStatus> check() {
     auto fault = system.fault();
     if (!fault) fault = collapse();
@@ -261,7 +262,7 @@ struct Simulation::Impl {
     return diverged(find_first_fault(*fault));
   }
 
-  // Whether cords are strained so far, as by a failure before they fly apart, that nothing would ever come to an end.
+  // Reports cords strained so much, as before they fly apart, that the tiny steps would never reach the end.
   std::optional<std::string> collapse() const {
     const double first = scenario.solver.safety * step_choice.limiter().factor() * step_choice.first_stable_step();
     if (interval < 0 || scenario.solver.time_step > 0 || time_step > kCollapse * first) return std::nullopt;
@@ -275,8 +276,8 @@ struct Simulation::Impl {
     snapshot_steps.clear();
   }
 
-  // The state was sound some steps ago. Repeats these, with the snapshots taken meanwhile, one by one up to the one
-  // that failed and goes back to the state before it.
+  // Finds the step that failed. Repeats the steps since the last sound copy, with the snapshots taken in between, and
+  // sets the state back to the one before the failure.
   std::string find_first_fault(const std::string& latest) {
     const std::int64_t end = system.steps();
     set_state(sound_state);
@@ -287,7 +288,7 @@ struct Simulation::Impl {
            ++next_snapshot) {
         snapshot();
       }
-      // The last check has passed: before it, speeds may have been higher for a moment, but came back.
+      // The check at checked_step passed. Earlier steps may have had higher speeds for a moment but recovered.
       const bool is_suspect = system.steps() >= checked_step;
       if (is_suspect) sound_state = state();
       step();
@@ -309,7 +310,7 @@ struct Simulation::Impl {
     return result;
   }
 
-  // m/s, of the closing ropes up to now.
+  // Largest speed (m/s) of the closing ropes up to now.
   double fastest_winding() const {
     const ClosingSchedule schedule(scenario.closing, system.model().ropes.front().motion(0).length);
     const double start = schedule.start(), end = std::min(schedule.end(), system.time());
@@ -321,7 +322,7 @@ struct Simulation::Impl {
     return fastest;
   }
 
-  // What is likely to help against a divergence.
+  // A likely remedy for a divergence.
   std::string advice() const {
     const double speed = fastest_winding();
     if (speed > kFastWinding) {
@@ -356,7 +357,7 @@ RunStatus Simulation::advance(double until, const std::stop_token& stop) {
   RunStatus status{RunReason::finished, 0, "reached the requested time"};
   std::optional<RunStatus> failure;
   if (impl_->sound_state.empty()) impl_->keep_sound_state();
-  // Half a step of tolerance: the sum of many steps is not exactly the time of a frame.
+  // Tolerance of half a step: a sum of many steps is not exactly the time of a frame.
   while (!failure && time() + 0.5 * impl_->time_step < until) {
     if (stop.stop_requested()) {
       status = {RunReason::stopped, 0, "stopped on request"};

