@@ -17,7 +17,7 @@ namespace netpocket {
 
 namespace {
 
-// More than HDF5 writes between two checks of the room and when it closes the file.
+// Bytes. More than HDF5 writes between two checks of the room, and when it closes the file.
 constexpr std::uint64_t kMargin = 8u << 20;
 constexpr std::uint64_t kStep = 32u << 20;
 
@@ -39,7 +39,7 @@ OutputFile::OutputFile(const std::string& path, bool overwrite) : name_(path), o
   part_path_ = path_ + ".part";
   open_and_lock();
   try {
-    // Once more: another program may have put its recording in place before it gave up the lock.
+    // Check again: another program may have published its recording before it released the lock.
     keep_permissions(descriptor_, checked_target());
   } catch (...) {
     close();
@@ -47,11 +47,11 @@ OutputFile::OutputFile(const std::string& path, bool overwrite) : name_(path), o
   }
 }
 
-// Whoever had the lock may have renamed or removed the file in the meantime: then the lock is on a file that nobody
-// finds any more, and the next program would lock another one.
+// The previous owner of the lock may have renamed or removed the file meanwhile. The lock would then be on a file
+// without a name, and the next program would lock another one.
 void OutputFile::open_and_lock() {
   struct stat left = {};
-  if (stat(part_path_.c_str(), &left) == 0) {  // by a program that was killed, or it is somebody else's
+  if (stat(part_path_.c_str(), &left) == 0) {  // left by a killed program, or a file of somebody else
     find_destination(part_path_, FileKind::recording, ReadOnlyFiles::replaced);
   }
   while (true) {
@@ -75,7 +75,7 @@ void OutputFile::close() {
   if (descriptor_ < 0) return;
   if (published_) {
     struct stat status = {};
-    // Where this fails the room stays reserved; the recording itself is complete.
+    // If this fails, the room stays reserved. The recording itself is complete.
     std::ignore = fstat(descriptor_, &status) == 0 && ftruncate(descriptor_, status.st_size) == 0;
   } else if (has_name(part_path_)) {
     unlink(part_path_.c_str());
@@ -109,7 +109,7 @@ void OutputFile::reserve(std::uint64_t size) {
     return;
   }
   if (errno == ENOSPC || errno == EDQUOT || errno == EFBIG) throw write_error(name_, "the disk is full");
-  // This file system cannot reserve: look at what is free instead, every time.
+  // This file system cannot reserve room, so the free room is checked every time.
   struct statvfs disk = {};
   if (fstatvfs(descriptor_, &disk) == 0 && std::uint64_t{disk.f_bavail} * disk.f_frsize < kMargin) {
     throw write_error(name_, "the disk is full");
@@ -118,9 +118,9 @@ void OutputFile::reserve(std::uint64_t size) {
 
 void OutputFile::sync() {
   require_whole();
-  // File systems that cannot (some in memory, some over networks) say EINVAL or EROFS.
+  // File systems that cannot synchronise (some in memory, some on networks) report EINVAL or EROFS.
   if (fdatasync(descriptor_) != 0 && errno != EINVAL && errno != EROFS) throw write_error(name_, errno);
-  require_whole();  // it may have taken long; what is written next would hide that the file is shorter
+  require_whole();  // syncing may take long, and the next write would hide that the file was truncated
 }
 
 void OutputFile::require_name() const {
@@ -131,9 +131,16 @@ void OutputFile::fail_nameless() const {
   throw write_error(name_, "it was deleted, moved or replaced while it was being written");
 }
 
+// A write may make the file as long again before its size is asked for. Then it has a hole, and the room that was
+// reserved for it is gone.
+bool OutputFile::has_its_room(const struct stat& status) const {
+  constexpr std::uint64_t kBlock = 512;  // bytes, of st_blocks on every system
+  return static_cast<std::uint64_t>(status.st_blocks) * kBlock + kMargin / 2 >= reserved_;
+}
+
 void OutputFile::require_whole() {
   struct stat status = {};
-  if (fstat(descriptor_, &status) == 0 && status.st_size >= seen_size_) {
+  if (fstat(descriptor_, &status) == 0 && status.st_size >= seen_size_ && has_its_room(status)) {
     seen_size_ = status.st_size;
     return;
   }

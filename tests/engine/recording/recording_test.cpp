@@ -251,6 +251,22 @@ TEST(Recorder, GivesBackTheRoomItReserved) {
   EXPECT_LT(512 * status.st_blocks, status.st_size + (1 << 16));
 }
 
+// As when a write comes right after another program has cut the file.
+TEST(Recorder, NoticesAFileThatWasCutAndGrewAgain) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("run.h5");
+  const Structure structure = synthetic_structure(20);
+  Recorder recorder(path, synthetic_origin(), structure, false);
+  for (int i = 0; i < 20; ++i) recorder.write(synthetic_frame(structure, i));
+  recorder.flush();
+  const auto size = std::filesystem::file_size(path);
+  std::filesystem::resize_file(path, size / 2);
+  std::filesystem::resize_file(path, size);
+  EXPECT_TRUE(message_of([&] {
+                recorder.write(synthetic_frame(structure, 20));
+              }).ends_with("has cut it short while it was being written"));
+}
+
 TEST(Recorder, TwoCannotWriteOneFile) {
   const TemporaryFolder folder;
   const std::string path = folder.file("run.h5");
