@@ -1,5 +1,5 @@
 #pragma once
-// Channels as a table that every program reads.
+// Writes channels as a CSV table.
 
 #include <string>
 
@@ -7,10 +7,10 @@ namespace netpocket {
 
 class Recording;
 
-// Writes one row per frame with all channels of the recording in its order, comma separated, under a line of their
-// names. Numbers are the shortest that read back to the same double, times
-// without the noise of summation. The file appears under `path` only when it is complete and replaces an older one.
-// Throws FileError.
+// Writes a header line of channel names and one row per frame, comma separated, with all channels of the recording in
+// its order. Numbers have the fewest digits that read back to the same double. Times are written without the rounding
+// errors of summation. The file appears under `path` only when it is complete, and replaces an existing one. Throws
+// FileError.
 void write_channels_csv(const Recording& recording, const std::string& path);
 
 }  // namespace netpocket

@@ -14,28 +14,28 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// JSON is UTF-8; what is not (a path in a command, a damaged file) becomes the replacement character.
+// JSON must be UTF-8. Other bytes (a path in a command, a damaged file) become the replacement character.
 std::string utf8(const std::string& text) {
   return Json::parse(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>();
 }
 
 Json vector_json(const Eigen::Vector3d& v) { return {{"x", v.x()}, {"y", v.y()}, {"z", v.z()}}; }
 
-// True or false; null where there is no judgement.
+// Null when there is no judgement.
 Json judgement(Verdict verdict) {
   if (verdict == Verdict::yes) return true;
   if (verdict == Verdict::no) return false;
   return nullptr;
 }
 
-// Null where there is none, or where it was not recorded.
+// Null when there is no contact or it was not recorded.
 Json depth_json(const std::optional<DeepestContact>& deepest) {
   if (!deepest) return nullptr;
   return {{"depth", deepest->depth}, {"part", deepest->part},       {"time", deepest->time},
           {"cord", deepest->cord},   {"partner", deepest->partner}, {"stiffness", deepest->stiffness}};
 }
 
-// Null where they were not recorded.
+// Null when they were not recorded.
 Json safeguards_json(const Recording& recording) {
   const auto counts = safeguard_counts(recording);
   if (counts.empty()) return nullptr;

@@ -9,10 +9,10 @@ namespace netpocket {
 
 namespace {
 
-// Frame times are sums of steps: a frame this near to a limit is at it.
+// Frame times are sums of steps. A frame this close to a limit counts as being at it.
 constexpr double kTimeTolerance = 1e-6;  // s
 
-// The run must go on this long after the closing to show that the target stays.
+// The run must continue this long after the closing to show that the target stays.
 constexpr double kHoldingTime = 1.0;  // s
 
 double magnitude(double value) { return std::abs(value); }
@@ -117,7 +117,7 @@ std::vector<ContactEpisode> RunHistory::episodes(FrameRange range, double smalle
       found.erase(least);
       continue;
     }
-    // Its neighbours have the other sign, and each weighs more than it does.
+    // Its neighbours have the other sign, and the impulse of each is larger.
     ContactEpisode& before = *(least - 1);
     const ContactEpisode& after = *(least + 1);
     before.impulse += least->impulse + after.impulse;

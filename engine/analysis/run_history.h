@@ -1,5 +1,5 @@
 #pragma once
-// What the channels of a recorded run say about phases, forces and motion. Times in s, forces in N, lengths in m.
+// Phases, forces and motion of a recorded run, from its channels. Times in s, forces in N, lengths in m.
 // A recorded force is the mean over the output interval that ends at its frame.
 
 #include <Eigen/Core>
@@ -27,14 +27,14 @@ struct Peak {
   double time = 0;
 };
 
-// Consecutive contact forces of one sign.
+// Successive contact forces F_y of one sign.
 struct ContactEpisode {
-  double impulse = 0;  // N s
-  double start = 0;
-  FrameRange frames{};  // whose intervals make it up
+  double impulse = 0;   // N s
+  double start = 0;     // time of the first frame
+  FrameRange frames{};  // the output intervals that end at these frames
 };
 
-// `reason` says why the verdict is not yes; empty when it is.
+// `reason` says why the verdict is not yes. It is empty when it is.
 struct Capture {
   Verdict verdict = Verdict::unknown;
   std::string reason;
@@ -62,7 +62,7 @@ class RunHistory {
   FrameRange after_closed() const { return frames(closing_end(), 1e300); }
   FrameRange towing() const { return frames(towing_start(), 1e300); }
 
-  // Median time between frames: the window over which recorded forces are means.
+  // Median time between frames. Recorded forces are means over it.
   double averaging_window() const;
   Eigen::Vector3d force(std::size_t frame) const;
   Peak peak(Channel c, FrameRange range) const;
@@ -74,21 +74,21 @@ class RunHistory {
   bool in_contact(std::size_t frame) const;
   std::optional<double> first_contact() const;
 
-  // Episodes of F_y. Those whose impulse is below `smallest` of the largest are merged into the two between which they
-  // lie, which become one; before the first and after the last they are left out.
+  // Episodes of F_y. An episode whose impulse is below `smallest` (fraction) of the largest one is merged with its two
+  // neighbours into one. If it is the first or the last, it is left out.
   std::vector<ContactEpisode> episodes(FrameRange range, double smallest) const;
 
   Eigen::Vector3d position(Body body, std::size_t frame) const;
-  // Largest |position - position at `origin`|, by component.
+  // Largest |position - position at the frame `origin`| in the range, by component.
   Eigen::Vector3d excursion(Body body, FrameRange range, std::size_t origin) const;
 
-  // Whether the run counts as a capture.
+  // Whether the run counts as a capture, by kCaptureRule.
   Capture capture() const;
   // "diverged at t = 3.2 s", or empty.
   std::string divergence() const;
 
   const Recording& recording() const { return *recording_; }
-  // s, from the frame before; the recorded force is the mean over it.
+  // s, length of the output interval that ends at the frame. The recorded force is the mean over it.
   double interval(std::size_t frame) const;
 
  private:

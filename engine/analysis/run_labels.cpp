@@ -11,7 +11,7 @@
 namespace netpocket {
 namespace {
 
-constexpr std::size_t kLongestDifference = 60;  // characters
+constexpr std::size_t kLongestDifference = 60;  // characters, of a label's list of settings
 
 using Indices = std::vector<std::size_t>;
 
@@ -21,7 +21,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-// Without the comment at the end of a line; a sign within quotes starts none.
+// Line without its comment. A # within quotes does not begin one.
 std::string_view without_comment(std::string_view line) {
   bool quoted = false;
   for (std::size_t i = 0; i < line.size(); ++i) {
@@ -41,7 +41,7 @@ const std::string* value_of(const std::vector<RecordedSetting>& settings, const 
   return found == settings.end() ? nullptr : &found->value;
 }
 
-// Keys whose values are not the same in all runs; "name" and "description" are words about them.
+// Keys whose values differ between runs. "name" and "description" only describe the run.
 std::vector<std::string> differing_keys(const std::vector<std::vector<RecordedSetting>>& runs) {
   std::vector<std::string> keys;
   for (const auto& settings : runs) {
@@ -72,7 +72,7 @@ std::size_t count_different(const std::vector<std::string>& texts) {
   return std::set<std::string>(texts.begin(), texts.end()).size();
 }
 
-// Of runs with one name; empty when they are one and the same.
+// Labels that tell runs of the same name apart; empty when there is no difference.
 std::vector<std::string> distinctions(const std::vector<const Recording*>& runs) {
   std::vector<std::vector<RecordedSetting>> settings;
   for (const auto* run : runs) settings.push_back(recorded_settings(run->origin().scenario_text));

@@ -1,5 +1,5 @@
 #pragma once
-// What runs are called where several stand next to each other.
+// Labels of runs that are shown together.
 
 #include <string>
 #include <vector>
@@ -8,11 +8,11 @@ namespace netpocket {
 
 class Recording;
 
-// The scenarios' names. Runs that share one are told apart by the settings in which they differ, as in
-// "case1, target.radius = 4.2"; where these are none or too many to be read, by their files.
+// Scenario names. Runs of the same name are told apart by the settings in which they differ, such as "case1,
+// target.radius = 4.2". If they differ in no setting, or in too many to read, the file names tell them apart.
 std::vector<std::string> run_labels(const std::vector<const Recording*>& recordings);
 
-// The settings of a scenario as it is recorded: one in a line. Keys such as "target.radius", values as written.
+// A setting of a recorded scenario, whose text has one per line. Key such as "target.radius"; value as written.
 struct RecordedSetting {
   std::string key;
   std::string value;

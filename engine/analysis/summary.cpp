@@ -11,7 +11,7 @@ namespace netpocket {
 
 namespace {
 
-// What the run has to account for, J.
+// Energy (J) put into the run, to which the energy error is compared.
 double energy_put_in(const RunHistory& run) {
   if (run.times().empty()) return 0;
   const auto& input = run.channel(Channel::energy_input);

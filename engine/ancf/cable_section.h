@@ -1,5 +1,5 @@
 #pragma once
-// Cross-section of a cable: what the element formulas need to know of its material.
+// Cross-section of a cable: the material properties that the element formulas need.
 
 namespace netpocket {
 
@@ -15,9 +15,9 @@ struct CableSection {
   double axial_stiffness(double eps) const { return eps < 0 ? compression * EA : EA; }
 };
 
-// Damping of bending acts on the rate of a magnitude, d|s|/dt = s.ds/dt / |s|, which has no direction to act in when
-// s = 0. The square of this number (s in radians) is added to s.s. It is the round-off of a chord's direction
-// (positions of 10 m, elements of 0.1 m: 1e-14) and a margin, far below any bending that matters.
+// Bending damping acts on the rate of a magnitude, d|s|/dt = s.ds/dt / |s|, which is undefined at s = 0. Therefore the
+// square of this number (s in radians) is added to s.s. Its size is the round-off of a chord's direction (1e-14 for
+// positions of 10 m and elements of 0.1 m) with a margin, far below any bending that matters.
 inline constexpr double kBendingRoundOff = 1e-13;
 
 }  // namespace netpocket

@@ -22,7 +22,7 @@ const Kernels& kernels() {
   return chosen;
 }
 
-// Fills base and rotation of a corner whose lanes read an aligned run of eight coordinates, rotated.
+// Fills base and rotation of a corner. base is -1 unless the lanes read an aligned run of eight coordinates, rotated.
 void find_run(ElementBlock& block, int corner) {
   const std::int32_t* coordinate = block.coordinate[corner];
   const std::int32_t base = coordinate[0] / kBlockSize * kBlockSize;
@@ -49,7 +49,7 @@ void fill_lane(ElementBlock& block, SectionRows& rows, int lane, const BatchElem
   rows.bending_damping[lane] = section.bending_damping;
 }
 
-// A lane without an element: reads valid coordinates and exerts no force.
+// Fills a lane without an element so that it reads valid coordinates and exerts no force.
 void fill_idle_lane(ElementBlock& block, SectionRows& rows, int lane) {
   BatchElement idle{};
   std::copy_n(
@@ -86,7 +86,7 @@ void ElementBatch::find_strain_partners(std::span<const BatchElement> elements) 
   const auto strain_partner_of = [&](std::size_t element) {
     return element < elements.size() ? elements[element].strain_partner : -1;
   };
-  // Whether the strain partners of all lanes are in the block `distance` on.
+  // Whether the strain partner of each lane is the same lane of the block b + distance.
   const auto aligned = [&](std::size_t b, int distance) {
     for (std::size_t i = b * kBlockSize; i < (b + 1) * kBlockSize; ++i) {
       if (strain_partner_of(i) < 0 || strain_partner_of(i) != static_cast<std::int32_t>(i) + distance * kBlockSize)
@@ -118,7 +118,7 @@ void ElementBatch::find_strain_partners(std::span<const BatchElement> elements) 
   }
 }
 
-// Blocks in a row are mostly alike, so the search begins with the newest.
+// Consecutive blocks mostly have the same sections, so the search begins with the newest.
 std::int32_t ElementBatch::index_of(const SectionRows& rows) {
   const auto found = std::find(sections_.rbegin(), sections_.rend(), rows);
   if (found != sections_.rend()) return static_cast<std::int32_t>(sections_.rend() - found) - 1;
@@ -133,7 +133,7 @@ void ElementBatch::set_length(int element, double length, double rate) {
   block.inverse_length[lane] = 1.0 / length;
   block.length_rate[lane] = rate / length;
   if (block.pairing != Pairing::elsewhere) return;
-  ElementBlock& strain_partners = strain_partners_[block.strain_partners];  // a strain partner is as long
+  ElementBlock& strain_partners = strain_partners_[block.strain_partners];  // strain partners have the same length
   strain_partners.length[lane] = length;
   strain_partners.inverse_length[lane] = block.inverse_length[lane];
   strain_partners.length_rate[lane] = block.length_rate[lane];

@@ -1,6 +1,6 @@
 #pragma once
-// Reading an element block's coordinates and writing its forces, for the kernels. To be included only by sources that
-// are compiled once per instruction set.
+// Reads the coordinates of an element block and writes its forces, for the kernels. Only sources that are compiled once
+// per instruction set may include this header.
 
 #include "engine/ancf/element_batch.h"
 #include "engine/math/simd.h"
@@ -8,7 +8,7 @@
 namespace netpocket::simd {
 namespace {
 
-// Vectors of the coordinates of part `part` of a list of eight.
+// Vectors of the coordinates whose indices are part `part` of a list of eight.
 NETPOCKET_INLINE SimdVector gather_coordinates(const double* rows, const std::int32_t* indices, int part) {
   std::ptrdiff_t place[kWidth];
   for (int i = 0; i < kWidth; ++i) {
@@ -29,7 +29,7 @@ NETPOCKET_INLINE SimdVector load_coordinate(const CoordinateRows& rows, const El
   return gather_coordinates(rows.first, block.coordinate[corner], part);
 }
 
-// `row`: the first of the three force rows of a corner.
+// Stores a vector in three force rows, of which `row` is the first.
 NETPOCKET_INLINE void store3(double* out, int row, int part, const SimdVector& value) {
   store(out + row * kBlock, part, value.x);
   store(out + (row + 1) * kBlock, part, value.y);

@@ -1,5 +1,5 @@
-// Compiled once per instruction set, NETPOCKET_ISA_NAME being the variant's namespace. The formulas are those of
-// mean_strain_element.h, in the same notation.
+// This file is compiled once per instruction set; NETPOCKET_ISA_NAME is the namespace of the variant. The formulas and
+// the notation are those of mean_strain_element.h.
 
 #include "engine/ancf/element_kernel.h"
 
@@ -12,7 +12,7 @@ namespace {
 
 using namespace simd;
 
-// Guards 0/0 where a bending mode vanishes, as in mean_strain_element.h.
+// Prevents 0/0 where a bending mode vanishes, as in mean_strain_element.cpp.
 constexpr double kVanishing = kBendingRoundOff * kBendingRoundOff;
 
 // Powers (BatchPower) of each lane.
@@ -41,12 +41,12 @@ NETPOCKET_INLINE Kinematics kinematics(const ElementBlock& block, int part, cons
   const SimdVector v1 = load_coordinate(velocities, block, 0, part), w1 = load_coordinate(velocities, block, 1, part);
   const SimdVector v2 = load_coordinate(velocities, block, 2, part), w2 = load_coordinate(velocities, block, 3, part);
   SimdVector e_rate = inverse_length * (v2 - v1);
-  // e = (r2 - r1)/L also changes because L does.
+  // A changing L changes e = (r2 - r1)/L as well.
   if constexpr (kVariable) e_rate = e_rate - load(block.length_rate, part) * k.e;
   k.s_work = dot(k.s, w1 - w2);
   k.a_work = dot(k.a, (w1 + w2) - broadcast(2.0) * e_rate);
 
-  // In the modes s and a the bow 2 h1.h1 - h1.h2 + 2 h2.h2 is (5 s.s + 3 a.a)/4: few operations for strain and rate.
+  // In the modes s and a, 2 h1.h1 - h1.h2 + 2 h2.h2 is (5 s.s + 3 a.a)/4. This saves operations.
   k.s_square = dot(k.s, k.s);
   k.a_square = dot(k.a, k.a);
   k.strain = broadcast(0.5) * (dot(k.e, k.e) - broadcast(1.0)) +
@@ -55,7 +55,7 @@ NETPOCKET_INLINE Kinematics kinematics(const ElementBlock& block, int part, cons
   return k;
 }
 
-// `strain`, `strain_rate`: what the tension follows, the element's own or the pair's.
+// `strain`, `strain_rate`: those that determine the tension, of the element alone or of its pair.
 template <bool kVariable>
 NETPOCKET_INLINE void resist(const ElementBlock& block, const SectionRows& section, int part, const Kinematics& k,
                              const SimdDouble& strain, const SimdDouble& strain_rate, double* out, PowerSimd& power) {
@@ -68,7 +68,7 @@ NETPOCKET_INLINE void resist(const ElementBlock& block, const SectionRows& secti
 
   const SimdDouble bending = load(section.bending_rigidity, part) * inverse_length;
   const SimdDouble damping = load(section.bending_damping, part);
-  // Relative rates of |s| and |a|: two quotients from one division, which is by far the slowest operation here.
+  // Relative rates of |s| and |a|. Both quotients share one division, by far the slowest operation here.
   const SimdDouble s_guarded = k.s_square + broadcast(kVanishing), a_guarded = k.a_square + broadcast(kVanishing);
   const SimdDouble reciprocal = broadcast(1.0) / (s_guarded * a_guarded);
   const SimdDouble s_growth = damping * (k.s_work * (a_guarded * reciprocal));
@@ -76,7 +76,7 @@ NETPOCKET_INLINE void resist(const ElementBlock& block, const SectionRows& secti
   const SimdDouble moment_s = bending * (broadcast(1.0) + s_growth);
   const SimdDouble moment_a = broadcast(3.0) * (bending * (broadcast(1.0) + a_growth));
 
-  // dU/ds and dU/da are multiples of s and a; e takes part in the strain and in a.
+  // dU/ds and dU/da are multiples of s and a. e enters through the strain and through a.
   const SimdDouble tension_length = tension * length;
   const SimdVector along_s = (broadcast(1.0 / 12) * tension_length + moment_s) * k.s;
   const SimdVector along_a = (broadcast(1.0 / 20) * tension_length + moment_a) * k.a;
@@ -87,8 +87,8 @@ NETPOCKET_INLINE void resist(const ElementBlock& block, const SectionRows& secti
 
   const SimdDouble bending_power = bending * (s_growth * k.s_work + broadcast(3.0) * (a_growth * k.a_work));
   power.dissipated = power.dissipated + (viscous_tension * k.strain_rate * length + bending_power);
-  // At fixed coordinates a longer element has a shorter e, whose conjugate is -L force1; and the energy per length is
-  // spread over, and the curvature taken from, another length.
+  // At fixed coordinates a longer element has a shorter e, whose conjugate is -L force1. The length also scales the
+  // axial energy and, inversely, the bending energy.
   if constexpr (kVariable) {
     const SimdDouble axial = broadcast(0.5) * (stiffness * (strain * k.strain)) + dot(force1, k.e);
     const SimdDouble curvature = broadcast(0.5) * (bending * (k.s_square + broadcast(3.0) * k.a_square));
@@ -100,7 +100,7 @@ NETPOCKET_INLINE SimdDouble mixed(const SimdDouble& own, const SimdDouble& strai
   return broadcast(kOwnShare) * own + broadcast(kPartnerShare) * strain_partner;
 }
 
-// The block and, if it is the first of a pair, the next.
+// Computes the block and, if it is the first of a pair, the next block as well.
 template <bool kVariable>
 NETPOCKET_INLINE void block_forces(const BatchView& batch, const ElementBlock* block, int part,
                                    const CoordinateRows& coordinates, const CoordinateRows& velocities, double* out,

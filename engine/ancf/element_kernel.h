@@ -1,11 +1,11 @@
 #pragma once
-// The instruction-set variants of the element kernel and the choice between them. Internal to ElementBatch.
+// Declares the instruction-set variants of the element kernel. Internal to ElementBatch, which chooses between them.
 
 #include "engine/ancf/element_batch.h"
 
 namespace netpocket::element_kernel {
 
-// Fills rows of ElementBatch::states.
+// Fills the rows of ElementBatch::states.
 using StateKernel = void (*)(const BatchView& batch, int first, int last, const CoordinateRows& coordinates,
                              const CoordinateRows& velocities, double* states);
 using Kernel = BatchPower (*)(const BatchView& batch, int first, int last, const CoordinateRows& coordinates,

@@ -1,7 +1,7 @@
 #pragma once
-// Internal forces of many full cable elements at once: the fast form of full_element.h with its default options (Green
-// strain), tested against it to round-off. Elements, their lengths and the layout of the forces are those of an
-// ElementBatch.
+// Internal forces of many full cable elements at once. It is the fast form of full_element.h with the default options
+// (Green strain); a test requires both to agree to round-off. An ElementBatch supplies the elements, their lengths and
+// the layout of the forces.
 
 #include <vector>
 
@@ -14,12 +14,13 @@ class FullBatch {
  public:
   explicit FullBatch(int block_count) : start_rates_(block_count) {}
 
-  // Rate dp1/dt (m/s) at which material leaves a variable element at its first node; its length is the ElementBatch's.
+  // Sets the rate dp1/dt (m/s) at which material leaves a variable element at its first node. The length of the element
+  // is set in the ElementBatch.
   void set_start_rate(int element, double rate) {
     start_rates_[element / kBlockSize].value[element % kBlockSize] = rate;
   }
 
-  // As ElementBatch::forces, of the full evaluation.
+  // As ElementBatch::forces, but with the full evaluation.
   BatchPower forces(const ElementBatch& batch, int first, int last, const CoordinateRows& coordinates,
                     const CoordinateRows& velocities, double* forces) const;
 

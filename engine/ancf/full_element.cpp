@@ -10,8 +10,8 @@
 namespace netpocket {
 namespace {
 
-// r' of the element at xi, and its rate at the material point: the part due to the nodes' motion and the part due to
-// the material's motion through the element.
+// r' of the element at xi, and its rate at the material point. The rate includes `convected`, the part due to the
+// motion of the material through the element.
 struct Slope {
   Slope(double xi, const MaterialSpan& span, const ElementCoordinates& q, const ElementCoordinates& velocity)
       : weights(shape_p(xi, span.length)),
@@ -23,7 +23,7 @@ struct Slope {
   Eigen::Vector3d value, convected, rate;
 };
 
-// The same of r''.
+// The same for r''.
 struct Bend {
   Bend(double xi, const MaterialSpan& span, const ElementCoordinates& q, const ElementCoordinates& velocity)
       : weights(shape_pp(xi, span.length)),
@@ -47,7 +47,7 @@ struct AxialForce {
   double elastic, damping;
 };
 
-// Stress conjugate to kappa^2, M/(2 kappa), split likewise: EI/2 and c EI/2 (dkappa/dt)/kappa.
+// Stress conjugate to kappa^2, M/(2 kappa), split into EI/2 (elastic) and c EI/2 (dkappa/dt)/kappa (damping).
 struct BendingForce {
   BendingForce(const Slope& a, const Bend& b, const CableSection& section, double length,
                const FullElementOptions& options)
@@ -168,8 +168,8 @@ double FullElement::dissipated_power(const ElementCoordinates& q, const ElementC
 }
 
 double FullElement::feeding_power(const ElementCoordinates& q, const ElementCoordinates& velocity) const {
-  // The elastic energy changes with L at fixed q and xi; the damping stresses work on the motion of the material
-  // through the element, which the nodes' velocities do not contain.
+  // The elastic energy changes with L at fixed q and xi. The damping stresses also do work on the motion of the
+  // material through the element, which is not part of the nodes' velocities.
   const double L = span_.length;
   const double growth = span_.length_rate();
   double power = 0;

@@ -1,12 +1,12 @@
-// Compiled once per instruction set, NETPOCKET_ISA_NAME being the variant's namespace. The formulas are those of
-// full_element.cpp and strain_measure.cpp for the Green strain, in element units and in modes: with the chord slope
-// e = (r2 - r1)/L, s = (g2 - g1)/2 and h = (g1 + g2)/2 - e the slope and bend at a point are
+// This file is compiled once per instruction set; NETPOCKET_ISA_NAME is the namespace of the variant. The formulas are
+// those of full_element.cpp and strain_measure.cpp for the Green strain, in element units and in modes. With the chord
+// slope e = (r2 - r1)/L, s = (g2 - g1)/2 and h = (g1 + g2)/2 - e, the slope and the bend at a point are
 //   a = r' = e + xi s + P2(xi) h          B = L r'' = 2 da/dxi = 2 s + 6 xi h          P2 = (3 xi^2 - 1)/2
-// so that what a point contributes needs no vectors at the point but
-//   a.a, B.B and their rates      from products of the modes, as polynomials in xi,
-//   w = a x B = 2 e x s + 6 xi e x h + (3 xi^2 + 1) s x h,
-// and forces on the modes follow from moments over the points: sums of stresses times powers of xi and P2. Points come
-// in pairs +-xi that share what is even and what is odd in xi.
+// The contribution of a point needs only
+//   a.a, B.B and their rates: polynomials in xi whose coefficients are products of the modes;
+//   w = a x B = 2 e x s + 6 xi e x h + (3 xi^2 + 1) s x h: the only vector at the point.
+// The forces on the modes follow from moments: sums over the points of stresses times powers of xi and P2. Points come
+// in pairs +-xi, which share the terms that are even and odd in xi.
 
 #include "engine/ancf/full_kernel.h"
 
@@ -24,7 +24,7 @@ constexpr double kSmallestSquare = 0.81;  // FullElementOptions::smallest_stretc
 
 NETPOCKET_INLINE SimdVector scaled(double factor, const SimdVector& a) { return broadcast(factor) * a; }
 
-// Modes of the slope, or anything conjugate to them.
+// Modes of the slope, or quantities conjugate to them.
 struct Modes {
   SimdVector e, s, h;
 };
@@ -40,7 +40,7 @@ NETPOCKET_INLINE Pair pair_of(const SimdDouble& even, const SimdDouble& odd) { r
 
 constexpr double legendre(double xi) { return (3 * xi * xi - 1) / 2; }
 
-// A product of two slopes, and of their bends, along the element.
+// Product of two slopes along the element, as coefficients of the modes. It also gives the product of their bends.
 struct Product {
   SimdDouble ee, es, eh, ss, sh, hh;
 
@@ -65,7 +65,7 @@ NETPOCKET_INLINE Product product(const Modes& a, const Modes& b) {
           simd::dot(a.s, b.s), simd::dot(a.s, b.h) + simd::dot(a.h, b.s), simd::dot(a.h, b.h)};
 }
 
-// Parts of w = a x B, or of its rate.
+// Products of the modes that make up w = a x B, or its rate.
 struct Twist {
   SimdVector es, eh, sh;
 };
@@ -80,8 +80,8 @@ NETPOCKET_INLINE Pair3 at(const Twist& t, double xi) {
   return {middle + odd, middle - odd};
 }
 
-// Sums over the points of an element: of stresses on a.a (and B.B) times products of 1, xi and P2, and of stresses on
-// w.w times w and the weights of its parts.
+// Sums over the points of an element: stresses on a.a (and B.B) times products of 1, xi and P2; and stresses on w.w
+// times w and the factors of its parts.
 struct Moments {
   SimdDouble ee, es, eh, ss, sh, hh;
   Twist w;
@@ -123,21 +123,22 @@ NETPOCKET_INLINE Modes forces(const Moments& m, const Modes& q) {
           (m.eh * q.e + m.sh * q.s + m.hh * q.h) + (cross(m.w.eh, q.e) + cross(m.w.sh, q.s))};
 }
 
-// What the kernel knows of the elements of one part of a block. Stiffnesses are those of the whole element: EA L/2 and
+// Section properties of the elements of one part of a block. Stiffnesses are those of the whole element: EA L/2 and
 // EI/(4 L).
 struct Section {
   SimdDouble stiffness, compression_stiffness, axial_damping, bending_stiffness, bending_damping;
 };
 
-// Moments of all points. Elastic and viscous ones are kept apart only where something needs them.
+// Moments of all points. Elastic and viscous moments are kept apart only for elements of variable length, whose feeding
+// power needs them; otherwise `elastic` holds both.
 template <bool kApart>
 struct Sums {
   Moments elastic, viscous;
   SimdDouble dissipated;
-  SimdDouble growth;  // L d(energy)/dL at fixed modes; only where kept apart
+  SimdDouble growth;  // L d(energy)/dL at fixed modes; only if kept apart
 };
 
-// Stress on a.a, halved, by stretching at one point.
+// Stress at one point: conjugate to a.a/2 for stretching, to K/2 (Curvature) for bending.
 struct Stress {
   SimdDouble elastic, viscous;
 };
@@ -174,7 +175,7 @@ NETPOCKET_INLINE void add_axial(const Section& section, const Product& square, c
   }
 }
 
-// Three reciprocals from one division, which is by far the slowest operation here.
+// Three reciprocals from one division, by far the slowest operation here.
 struct Three {
   SimdDouble first, second, third;
 };
@@ -191,7 +192,7 @@ struct Curvature {
 NETPOCKET_INLINE Curvature curvature(const SimdDouble& A, const SimdDouble& A0, const SimdDouble& inverse_A0,
                                      const SimdDouble& half_A_rate, const SimdVector& w, const SimdVector& w_rate,
                                      const SimdDouble& BB, const SimdDouble& half_BB_rate) {
-  const SimdDouble y = (A - A0) * inverse_A0, y_2 = y * y;  // 0 where the cord is not gathered
+  const SimdDouble y = (A - A0) * inverse_A0, y_2 = y * y;  // y = 0 unless |a| < smallest_stretch
   const SimdDouble inverse_2 = inverse_A0 * inverse_A0, inverse_3 = inverse_2 * inverse_A0;
   const SimdDouble G = simd::dot(w, w);
   Curvature k;
@@ -264,8 +265,9 @@ NETPOCKET_INLINE Modes load_modes(const CoordinateRows& arrays, const ElementBlo
   return {e, scaled(0.5, g2 - g1), scaled(0.5, g1 + g2) - e};
 }
 
-// Rates of the modes at a material point because material moves through the element and its length changes:
-// xid B/2 - (Ld/L) (1 - P2) e with xid = -2 start_rate - (1 + xi) length_rate, both in element lengths per second.
+// Rates of the modes at a material point due to the motion of material through the element and the change of length:
+// xid B/2 - (Ld/L) (1 - P2) e with xid = -2 start_rate - (1 + xi) length_rate. Both rates in element lengths per
+// second.
 NETPOCKET_INLINE Modes flow(const Modes& q, const SimdDouble& start_rate, const SimdDouble& length_rate) {
   const SimdDouble middle_rate = broadcast(-2.0) * start_rate - length_rate;  // xid in the middle
   return {middle_rate * q.s - length_rate * (q.e + q.h), (broadcast(3.0) * middle_rate) * q.h - length_rate * q.s,
@@ -308,7 +310,7 @@ NETPOCKET_INLINE void part_forces(const ElementBlock& block, const SectionRows& 
   Modes force = forces(sums.elastic, q);
   power.dissipated = power.dissipated + sums.dissipated;
   if constexpr (kVariable) {
-    // A longer element has a shorter e at fixed coordinates; damping also works on the flow.
+    // At fixed coordinates a longer element has a shorter e. Damping also does work on the flow of material.
     const Modes viscous = forces(sums.viscous, q);
     const SimdDouble lengthening = simd::dot(force.h - force.e, q.e);
     power.fed = power.fed + (dot(viscous, flowing) + length_rate * (lengthening + sums.growth));

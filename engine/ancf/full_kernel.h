@@ -1,5 +1,6 @@
 #pragma once
-// The instruction-set variants of the full element's kernel and the choice between them. Internal to FullBatch.
+// Declares the instruction-set variants of the full element's kernel. Internal to FullBatch, which chooses between
+// them.
 
 #include "engine/ancf/element_batch.h"
 

@@ -10,7 +10,8 @@
 namespace netpocket {
 namespace {
 
-// At one curvature: energy per length less the linear law's, and the part of EI that is lost, 1 - M/(EI kappa).
+// Difference from the linear law at one curvature: of the energy per length, and of the secant stiffness,
+// EI (1 - M/(EI kappa)).
 struct Loss {
   Loss(const InflatedSection& section, double kappa) {
     const double k = kappa * section.EI / section.moment;
@@ -47,7 +48,7 @@ std::optional<Softening> full_softening(const InflatedSection& section, double l
     const Loss loss(section, std::sqrt(curvature.value));
     if (loss.stiffness == 0) continue;
     result.energy += weight * length / 2 * loss.energy;
-    // d(kappa^2)/2 = kappa d(kappa)
+    // Because d(kappa^2)/2 = kappa d(kappa), the factor contains the secant stiffness.
     const double factor = weight * length / 4 * loss.stiffness;
     for (int i = 0; i < 4; ++i) {
       result.force.col(i) += factor * (slope[i] * curvature.gradient_a + bend[i] * curvature.gradient_b);

@@ -1,13 +1,13 @@
 #pragma once
-// The piece of material [p1, p2] inside an element, and how it changes while retractors wind it in or out.
+// The interval of material [p1, p2] inside an element, and its change while retractors wind material in or out.
 //
-// A material point keeps its p; its xi and the element's length change in time. With S(xi, L):
+// A material point keeps its p, while its xi and the element's length change in time. With S(xi, L):
 //   r     = S q
 //   dr/dt = S qd + Sd q,              Sd  = S_xi xid + S_L Ld
 //   d2r/dt2 = S qdd + 2 Sd qd + Sdd q,  Sdd = S_xixi xid^2 + 2 S_xiL xid Ld + S_xi xidd + S_L Ldd   (S_LL = 0)
-// Tang et al. (2023) Eqs. 5 to 7; Eq. 7 leaves out the terms with S_L, without which a rope that is reeled in
-// without strain would accelerate. The full form is that of arbitrary Lagrangian-Eulerian ANCF cables, Hong & Ren
-// (2011), Multibody System Dynamics 26(1).
+// Tang et al. (2023) Eqs. 5 to 7. Their Eq. 7 omits the terms with S_L; without these a rope that is reeled in without
+// strain would accelerate. The full form is that of arbitrary Lagrangian-Eulerian ANCF cables: Hong & Ren (2011),
+// Multibody System Dynamics 26(1). SI units.
 
 #include "engine/math/vector.h"
 
@@ -32,7 +32,7 @@ NodalWeights shape_acceleration(double xi, const MaterialSpan& span);  // Sdd
 NodalWeights shape_p_rate(double xi, const MaterialSpan& span);        // d(dS/dp)/dt at fixed material point
 NodalWeights shape_pp_rate(double xi, const MaterialSpan& span);       // d(d2S/dp2)/dt at fixed material point
 
-// Of the material point that is at xi now, world frame; m/s and m/s^2.
+// Velocity (m/s) and acceleration (m/s^2) of the material point that is at xi now, world frame.
 Eigen::Vector3d material_velocity(double xi, const MaterialSpan& span, const ElementCoordinates& q,
                                   const ElementCoordinates& velocity);
 Eigen::Vector3d material_acceleration(double xi, const MaterialSpan& span, const ElementCoordinates& q,

@@ -3,7 +3,7 @@
 namespace netpocket {
 namespace {
 
-// The chord and what deviates from it; of coordinates, or of their rates.
+// Chord gradient and the deviations from it (mean_strain_element.h), or their rates.
 struct Deformation {
   Eigen::Vector3d e, h1, h2;
 
@@ -16,7 +16,7 @@ Deformation deformation(const ElementCoordinates& q, double length) {
   return {e, q.col(1) - e, q.col(3) - e};
 }
 
-// Rate of `now` = deformation(q): a growing length shortens e.
+// Rate of `now` = deformation(q). A growing length shortens e.
 Deformation deformation_rate(const Deformation& now, const ElementCoordinates& velocity, const MaterialSpan& span) {
   const Deformation at_fixed_length = deformation(velocity, span.length);
   const Eigen::Vector3d stretching = now.e * (span.length_rate() / span.length);
@@ -30,7 +30,7 @@ double rate_of_strain(const Deformation& gradient, const Deformation& rate) {
   return dot(gradient.e, rate.e) + (dot(gradient.h1, rate.h1) + dot(gradient.h2, rate.h2));
 }
 
-// d|mode|/dt and the direction it acts in, as one vector: mode (mode.rate)/(mode.mode).
+// Vector of length d|mode|/dt in the direction of the mode: mode (mode.rate)/(mode.mode).
 Eigen::Vector3d radial_rate(const Eigen::Vector3d& mode, const Eigen::Vector3d& rate) {
   return mode * (dot(mode, rate) / (squared_norm(mode) + kBendingRoundOff * kBendingRoundOff));
 }
@@ -45,7 +45,7 @@ ModalForces bending_damping(const Deformation& d, const Deformation& rate, const
   return {stiffness * radial_rate(d.even(), rate.even()), 3 * stiffness * radial_rate(d.odd(), rate.odd())};
 }
 
-// Generalised forces from forces conjugate to e, h1, h2.
+// Generalised forces that correspond to forces conjugate to e, h1, h2.
 ElementCoordinates nodal_forces(const Deformation& conjugate, double length) {
   ElementCoordinates force;
   const Eigen::Vector3d end = (conjugate.e - (conjugate.h1 + conjugate.h2)) / length;
@@ -100,7 +100,8 @@ ElementCoordinates MeanStrainElement::internal_force(const ElementCoordinates& q
 }
 
 ElementTangent MeanStrainElement::tangent(const ElementCoordinates& q) const {
-  // Columns: a unit of q_j changes (e, h1, h2) by B_j; the second derivatives of the energies are constant 3x3 weights.
+  // A unit change of q_j changes (e, h1, h2) by column j of B. The second derivatives of the energies are constant 3x3
+  // matrices.
   const double L = span_.length;
   Eigen::Matrix<double, 3, 4> B;
   B << -1 / L, 0, 1 / L, 0, 1 / L, 1, -1 / L, 0, 1 / L, 0, -1 / L, 1;
@@ -131,8 +132,8 @@ double MeanStrainElement::dissipated_power(const ElementCoordinates& q, const El
 }
 
 double MeanStrainElement::feeding_power(const ElementCoordinates& q, const ElementCoordinates& velocity) const {
-  // At fixed q a longer element has a shorter e: its conjugate force is moved by de = -e dL/L. Besides, the energy
-  // per length is spread over, and the curvature taken from, another length.
+  // At fixed q a longer element has a shorter e: the conjugate force does work on de = -e dL/L. The length also scales
+  // the axial energy and, inversely, the bending energy.
   const double L = span_.length;
   const Deformation d = deformation(q, L);
   const ElementCoordinates force = internal_force(q, velocity);

@@ -1,5 +1,5 @@
 #pragma once
-// Gauss-Legendre rules on [-1, 1]; n points are exact for polynomials of degree 2n - 1.
+// Gauss-Legendre rules on [-1, 1]. A rule with n points is exact for polynomials of degree 2n - 1.
 // Abramowitz & Stegun (1964), table 25.4.
 
 #include <array>

@@ -21,7 +21,7 @@ NodalWeights shape_p(double xi, double length) { return shape_xi(xi, length) * (
 
 NodalWeights shape_pp(double xi, double length) { return shape_xixi(xi, length) * (4 / (length * length)); }
 
-// S2 and S4 are proportional to L, S1 and S3 do not depend on it.
+// S2 and S4 are proportional to L. S1 and S3 do not depend on L.
 NodalWeights shape_L(double xi) {
   return {0, (xi - 1) * (xi - 1) * (xi + 1) / 8, 0, (xi + 1) * (xi + 1) * (xi - 1) / 8};
 }

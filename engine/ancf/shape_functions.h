@@ -1,8 +1,8 @@
 #pragma once
 // Cubic Hermite shape functions of the gradient-deficient ANCF cable element:
 //   r(p) = S1 r1 + S2 g1 + S3 r2 + S4 g2,  xi = (2p - p1 - p2)/L in [-1, 1],  L = p2 - p1 (m, material length),
-// p the material coordinate. Gerstmayr & Shabana (2006), doi:10.1007/s11071-006-1856-1; Tang et al. (2023) Eq. 3, whose
-// printed S3 lost its sign.
+// where p is the material coordinate. Gerstmayr & Shabana (2006), doi:10.1007/s11071-006-1856-1; Tang et al. (2023)
+// Eq. 3, where the sign of the printed S3 is missing.
 
 #include "engine/math/vector.h"
 

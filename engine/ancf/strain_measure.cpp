@@ -8,12 +8,12 @@
 namespace netpocket {
 namespace {
 
-// |a|, kept from zero so that a vanishing gradient has no direction and gives no force.
+// |a|, bounded away from zero so that a vanishing gradient gives no force instead of 0/0.
 double stretch(const Eigen::Vector3d& a) {
   return std::max(std::sqrt(squared_norm(a)), std::numeric_limits<double>::min());
 }
 
-// kappa^2 = power(A) G + spread(A) B with their derivatives by A; full_element.h says why.
+// Weights in kappa^2 = power(A) G + spread(A) B and their derivatives by A; see full_element.h.
 struct CurvatureWeights {
   CurvatureWeights(double A, const FullElementOptions& options) {
     const double n = options.measure == StrainMeasure::green ? 3 : 2;
@@ -21,7 +21,7 @@ struct CurvatureWeights {
     const double expansion_point = std::max(A, smallest);
     const double inverse = 1 / expansion_point;
     const double inverse_power = inverse * inverse * (n == 3 ? inverse : 1);
-    const double y = (A - expansion_point) * inverse;  // < 0 where gathered, else 0
+    const double y = (A - expansion_point) * inverse;  // < 0 where |a| < smallest_stretch, else 0
     power = inverse_power * (1 - n * y + n * (n + 1) / 2 * y * y);
     power_slope = -n * inverse_power * inverse * (1 - (n + 1) * y);
     power_bend = n * (n + 1) * inverse_power * inverse * inverse;
@@ -32,7 +32,7 @@ struct CurvatureWeights {
   }
 
   double power, power_slope, power_bend;     // A^-n, or its Taylor polynomial
-  double spread, spread_slope, spread_bend;  // 0 where not gathered
+  double spread, spread_slope, spread_bend;  // 0 unless |a| < smallest_stretch
 };
 
 }  // namespace
@@ -57,7 +57,7 @@ Eigen::Matrix3d axial_strain_hessian(const Eigen::Vector3d& a, StrainMeasure mea
 
 SquaredCurvature::SquaredCurvature(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                                    const FullElementOptions& options) {
-  // The cross product keeps all digits of a small curvature; A B - C^2 would cancel them.
+  // The cross product keeps all digits of a small curvature; A B - C^2 would lose them by cancellation.
   const Eigen::Vector3d w = a.cross(b);
   const double G = squared_norm(w), B = squared_norm(b);
   const CurvatureWeights g(squared_norm(a), options);

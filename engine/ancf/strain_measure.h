@@ -1,5 +1,5 @@
 #pragma once
-// Strain and curvature of a cable at a point, from a = r' (-) and b = r'' (1/m), with their derivatives.
+// Strain and curvature of a cable at a point, with their derivatives, from a = r' (dimensionless) and b = r'' (1/m).
 // Internal to the full element.
 
 #include "engine/ancf/full_element.h"

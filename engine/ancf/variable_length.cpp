@@ -5,7 +5,7 @@
 namespace netpocket {
 namespace {
 
-// Chord slope and what the flow adds to the velocity of the material at each node.
+// Chord gradient e, and the velocity of the material relative to each node.
 struct Flow {
   Flow(const MaterialSpan& span, const ElementCoordinates& q)
       : e((q.col(2) - q.col(0)) / span.length), past1(-span.start_rate * e), past2(-span.end_rate * e) {}

@@ -10,14 +10,14 @@ namespace netpocket {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-// Curvatures beyond this are bent at the ultimate moment: the formulas lose their digits as u -> 0, and the moment
+// Largest k for which the formulas are used. They lose their digits as u -> 0. Beyond it the moment stays constant: it
 // differs from its limit by less than 1e-3.
 constexpr double kLargestRatio = 1e4;
 
-// u in (0, pi] with sin u - u cos u = value, by Newton's method inside a bracket.
+// Solves sin u - u cos u = value for u in (0, pi], by Newton's method inside a bracket.
 double taut_angle(double value) {
   double low = 0, high = kPi;
-  double u = std::min(cube_root(3 * value), kPi);  // the leading term, u^3/3
+  double u = std::min(cube_root(3 * value), kPi);  // from the leading term, u^3/3
   for (int i = 0; i < 60; ++i) {
     const double error = sine(u) - u * cosine(u) - value;
     (error > 0 ? high : low) = u;

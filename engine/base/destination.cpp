@@ -19,16 +19,16 @@ std::string folder_of(const std::string& path) {
   return folder.empty() ? "." : folder;
 }
 
-// What the last part of a path leads to, which need not exist. Where the system's own links lead ("/proc/self/fd/1")
-// can only be told by opening them.
+// Path to which the last component of a path leads, which need not exist. It does not resolve links of the system such
+// as "/proc/self/fd/1"; their target is known only after opening them.
 std::string follow_links(const std::string& name) {
-  constexpr int kMostLinks = 40;  // as Linux
+  constexpr int kMostLinks = 40;  // as in Linux
   fs::path path = name;
   for (int i = 0; i < kMostLinks; ++i) {
     std::error_code error;
     const fs::path target = fs::read_symlink(path, error);
     if (error) return path.string();     // no link, or nothing there
-    path = path.parent_path() / target;  // an absolute target replaces what is before it
+    path = path.parent_path() / target;  // operator/ drops the left side if the target is absolute
   }
   throw write_error(name, ELOOP);
 }
@@ -55,7 +55,8 @@ void require_folder(const Destination& destination) {
   if (access(folder.c_str(), W_OK | X_OK) != 0) throw write_error(destination.name, errno);
 }
 
-// The first bytes; a file that cannot be read cannot be judged, and is not destroyed.
+// The first bytes of the existing file. Throws if it cannot be read: its kind is then unknown, so it must not be
+// replaced.
 std::string content_of(const Destination& destination) {
   const int file = open(destination.path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (file < 0) throw write_error(destination.name, errno);
@@ -80,12 +81,12 @@ void require_kind(const Destination& destination, FileKind kind) {
 bool is_read_only(const Destination& destination) {
   if (!destination.existing) return false;
   constexpr mode_t kAnyWriter = S_IWUSR | S_IWGRP | S_IWOTH;
-  const bool protected_by_mode = (destination.existing->st_mode & kAnyWriter) == 0;  // root may write it all the same
+  const bool protected_by_mode = (destination.existing->st_mode & kAnyWriter) == 0;  // access() lets root write it
   return protected_by_mode || access(destination.path.c_str(), W_OK) != 0;
 }
 
 void require_readable(const std::string& path) {
-  // Not blocking: a pipe without a writer would be waited for.
+  // O_NONBLOCK: otherwise opening a pipe without a writer would wait.
   const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (file < 0 && errno != ENOENT && errno != ENOTDIR) {
     throw FileError(fmt::format("cannot read \"{}\": {}", path, std::strerror(errno)));
@@ -118,8 +119,8 @@ Destination find_destination(const std::string& path, FileKind kind, ReadOnlyFil
 
 void keep_permissions(int descriptor, const Destination& destination) {
   if (!destination.existing) return;
-  // The owner first: changing it takes special permissions away. Only root may give files away; for others the new file
-  // is their own.
+  // The owner is set first, because changing it clears special permissions. Only root may give files away; for other
+  // users the new file remains their own.
   std::ignore = fchown(descriptor, destination.existing->st_uid, destination.existing->st_gid);
   std::ignore = fchmod(descriptor, destination.existing->st_mode & 07777);
 }

@@ -1,5 +1,5 @@
 #pragma once
-// What is wrong with an input, said in one sentence each. A value, never thrown.
+// Faults of an input, each described in one sentence. They are values and never thrown.
 
 #include <string>
 #include <vector>

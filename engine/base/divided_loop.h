@@ -1,5 +1,5 @@
 #pragma once
-// Loops that the caller of a function may have several threads share.
+// Loops whose work several threads may share. The caller of a function passes the loop to it.
 
 #include <algorithm>
 #include <functional>
@@ -7,16 +7,17 @@
 
 namespace netpocket {
 
-// Calls work(first, last) with ranges that make up [0, count), perhaps some at the same time, and returns when all have
-// returned. They begin at multiples of `grain`. `work` must not throw.
+// Calls work(first, last) for ranges that together cover [0, count), possibly several at the same time. Returns when
+// all calls have returned. Ranges begin at multiples of `grain`. `work` must not throw.
 using DividedLoop = std::function<void(int count, int grain, const std::function<void(int first, int last)>& work)>;
 
+// A DividedLoop in which the caller does all the work.
 inline void undivided_loop(int count, int /*grain*/, const std::function<void(int first, int last)>& work) {
   work(0, count);
 }
 
-// What value(first, last) is for each range of `grain` (the last may be shorter) of [0, count), in their order: the
-// same whatever threads share the loop.
+// Divides [0, count) into ranges of `grain` (the last may be shorter) and returns value(first, last) of each, in their
+// order. The result does not depend on the threads that share the loop.
 template <typename Value, typename Function>
 std::vector<Value> values_of_ranges(const DividedLoop& loop, int count, int grain, const Function& value) {
   const int ranges = (count + grain - 1) / grain;
@@ -29,7 +30,8 @@ std::vector<Value> values_of_ranges(const DividedLoop& loop, int count, int grai
   return values;
 }
 
-// What find(first, last, found) appends to `found` for all such ranges, in their order.
+// The same with find(first, last, found), which appends to `found`: returns the joined lists of all ranges, in their
+// order.
 template <typename Found, typename Function>
 std::vector<Found> found_in_ranges(const DividedLoop& loop, int count, int grain, const Function& find) {
   const auto parts = values_of_ranges<std::vector<Found>>(loop, count, grain, [&](int first, int last) {

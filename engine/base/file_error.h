@@ -1,5 +1,5 @@
 #pragma once
-// What goes wrong with files: one sentence that names the file as the user named it.
+// Errors of files. The message is one sentence that names the file as the user named it.
 
 #include <stdexcept>
 #include <string>
@@ -12,13 +12,13 @@ class FileError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// An output that would destroy what it does not replace: another kind of file, an input, another output.
+// An output that would destroy a file which it must not replace: a file of another kind, an input, another output.
 class OutputRefused : public FileError {
  public:
   using FileError::FileError;
 };
 
-// "cannot write "NAME": REASON", also with the system's reason (errno).
+// An error with the message "cannot write "NAME": REASON". The second form takes the reason from `error` (errno).
 FileError write_error(const std::string& name, const std::string& reason);
 FileError write_error(const std::string& name, int error);
 

@@ -15,14 +15,14 @@ bool begins(Content content, std::string_view mark) { return content.substr(0, m
 
 bool contains(Content content, std::string_view mark) { return content.find(mark) != content.npos; }
 
-// Without byte order mark and white space in front.
+// The content without leading byte order mark and white space.
 Content trimmed(Content content) {
   if (begins(content, "\xEF\xBB\xBF")) content.remove_prefix(3);
   content.remove_prefix(std::min(content.find_first_not_of(" \t\r\n"), content.size()));
   return content;
 }
 
-// No text holds control characters but those that arrange it.
+// Text contains no control characters except those that lay it out.
 bool is_text(Content content) {
   return std::none_of(content.begin(), content.end(), [](char c) {
     const auto byte = static_cast<unsigned char>(c);
@@ -49,7 +49,7 @@ bool is_html(Content content) {
   return start == "<!doctype" || begins(start, "<html");
 }
 
-// A line `key = ...`, as in TOML.
+// Whether there is a line `key = ...`, as in TOML.
 bool has_key(Content content, std::string_view key) {
   for (std::size_t at = content.find(key); at != content.npos; at = content.find(key, at + 1)) {
     const bool starts_line = at == 0 || content[at - 1] == '\n';
@@ -59,7 +59,7 @@ bool has_key(Content content, std::string_view key) {
   return false;
 }
 
-// A line `[name]`, as in TOML; in Markdown a link goes on behind the bracket.
+// Whether there is a line `[name]`, as in TOML. A Markdown link has more text after the bracket.
 bool has_table(Content content) {
   for (std::size_t at = 0; at != content.npos && at < content.size();) {
     const std::size_t end = std::min(content.find('\n', at), content.size());
@@ -76,7 +76,8 @@ bool has_table(Content content) {
 bool is_view(Content content) { return is_text(content) && has_key(content, "focal_point") && !has_table(content); }
 bool is_scenario(Content content) { return is_text(content) && has_table(content) && contains(content, "="); }
 
-// Any text that could be TOML; a scenario may have no table. Its first line that says anything is a table or a key.
+// Whether the text may be TOML: its first line that is neither blank nor a comment is a table or a key. A scenario need
+// not have a table.
 bool may_be_toml(Content content) {
   if (!is_text(content)) return false;
   while (begins(trimmed(content), "#")) {
@@ -90,16 +91,16 @@ bool is_own_scenario(Content content) { return may_be_toml(content) && !is_view(
 
 bool is_findings(Content content) { return is_text(content) && begins(content, "F1 "); }
 
-// The reports of studies begin with a heading, scenarios often with a comment that looks like one.
+// Reports of studies begin with a heading. Scenarios often begin with a comment that looks like one.
 bool is_markdown(Content content) { return is_text(content) && begins(trimmed(content), "#") && !is_scenario(content); }
 
-// Any text but what belongs to somebody for certain: tables have no mark of their own, and records of studies may be
-// cut off.
+// Any text except files that are certainly something else. Tables have no mark of their own, and records of studies may
+// be truncated.
 bool is_data(Content content) {
   return is_text(content) && !is_scenario(content) && !is_xml(content) && !is_pdf(content);
 }
 
-// "2026-01-31 10:11:12 netpocket 0.1.0": the first line of each log, see gui/commands/run_log.
+// The first line of a log is like "2026-01-31 10:11:12 netpocket 0.1.0"; see gui/commands/run_log.
 bool is_log(Content content) {
   constexpr std::string_view kPattern = "dddd-dd-dd dd:dd:dd netpocket ";
   if (content.size() < kPattern.size()) return false;
@@ -108,7 +109,7 @@ bool is_log(Content content) {
   });
 }
 
-// Binary STL has no mark of its own: only that of this program is known (engine/bodies/mesh_output).
+// Binary STL has no mark, so only the header that this program writes is recognised (engine/bodies/mesh_output).
 bool is_stl(Content content) {
   return begins(content, "netpocket   ") || (begins(trimmed(content), "solid") && contains(content, "facet"));
 }
@@ -149,7 +150,7 @@ const Kind& entry(FileKind kind) {
   return *std::find_if(kKinds.begin(), kKinds.end(), [kind](const Kind& k) { return k.kind == kind; });
 }
 
-// What else the names of the kinds may end with.
+// Further suffixes of the kinds.
 constexpr std::array<std::pair<FileKind, std::string_view>, 6> kOtherSuffixes = {{{FileKind::recording, ".hdf5"},
                                                                                   {FileKind::recording, ".hdf"},
                                                                                   {FileKind::video, ".m4v"},
@@ -182,7 +183,7 @@ std::string_view description(FileKind kind) { return entry(kind).description; }
 std::string_view suffix(FileKind kind) { return entry(kind).suffix; }
 
 bool may_replace(FileKind kind, std::string_view content) {
-  // Room that was reserved and not written: a program was killed, or lost its power.
+  // Zeros are space that was reserved but not written, because a program was killed or the power failed.
   const bool is_blank = std::all_of(content.begin(), content.end(), [](char c) { return c == 0; });
   return is_blank || entry(kind).is_it(content);
 }

@@ -1,5 +1,6 @@
 #pragma once
-// The kinds of files that this program writes: how their names end and how their content begins.
+// The kinds of files that this program writes, recognised by the ends of their names and the beginnings of their
+// contents. Any thread may call these functions.
 
 #include <string>
 #include <string_view>
@@ -27,27 +28,28 @@ enum class FileKind {
   findings
 };
 
-// "a PNG picture".
+// With its article, e.g. "a PNG picture".
 std::string_view description(FileKind kind);
-// ".png"
+// With the dot, e.g. ".png".
 std::string_view suffix(FileKind kind);
 
-// Bytes at the beginning of a file that are enough for the functions below.
+// Number of bytes at the beginning of a file that the functions below need as `content`.
 inline constexpr std::size_t kContentBytes = 4096;
 
-// Whether what begins so may be replaced by a file of the kind: it is one, empty or blank.
+// Whether a file that begins with `content` may be replaced by a file of this kind: it is of this kind, empty or blank.
 bool may_replace(FileKind kind, std::string_view content);
 
-// What a file that begins so is, as far as it can be told: "an HDF5 file", "a text file", "another kind of file".
+// Describes a file that begins with `content` as precisely as it can be told, e.g. "an HDF5 file, such as a recording"
+// or "a file of another kind".
 std::string_view content_description(std::string_view content);
 
-// As content_description(), where the content has a mark that no scenario or study has; else empty.
+// As content_description(), but empty unless the content has a mark that no scenario or study has.
 std::string_view marked_description(std::string_view content);
 
-// Whether the file is there and begins like a recording.
+// Whether the file exists and begins like a recording.
 bool is_recording_file(const std::string& path);
 
-// Whether the name's suffix is that of a format other than the kind. A suffix that no known format has says nothing.
+// Whether the suffix of the name belongs to another format than this kind. False if the suffix is unknown.
 bool names_another_format(FileKind kind, const std::string& path);
 
 }  // namespace netpocket

@@ -1,5 +1,5 @@
 #pragma once
-// A short name for a text or for numbers, to see whether two are the same. It identifies, it does not protect.
+// Hash of texts and numbers, to see whether two are the same. It is not cryptographic.
 // FNV-1a, 64 bits (Fowler, Noll & Vo; IETF RFC 9923).
 
 #include <cstdint>

@@ -29,7 +29,7 @@ void OutputList::add_input(const std::string& path) {
 void OutputList::add(const std::string& option, const std::string& path, FileKind kind, ReadOnlyFiles read_only) {
   require_suffix(option, path, kind);
   struct stat status = {};
-  // Before its kind is judged: that it is an input says more.
+  // This check comes before that of the kind, because its message is more helpful.
   if (stat(path.c_str(), &status) == 0) require_no_input(option, {path, path, "", status});
   add_continued(option, path, kind, read_only);
 }

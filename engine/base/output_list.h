@@ -1,7 +1,7 @@
 #pragma once
-// All that a command reads and writes, so that no output destroys an input, another output, or a file of another kind.
-// Commands name everything here before they begin. Errors: OutputRefused with one sentence that names the option;
-// FileError where nothing can be written (destination.h). Nothing is created.
+// List of all files that a command reads and writes. It ensures that no output destroys an input, another output, or a
+// file of another kind. A command adds all its files before it begins. The functions throw OutputRefused, with one
+// sentence that names the option, or FileError if nothing can be written (destination.h). They create nothing.
 
 #include <functional>
 #include <string>
@@ -13,17 +13,17 @@ namespace netpocket {
 
 class OutputList {
  public:
-  // With what standard output and standard error go to.
+  // Contains the files to which standard output and standard error go, if any; outputs must not replace them.
   OutputList();
 
-  // Files that cannot be found are left to whoever reads them.
+  // Ignores a file that does not exist: the function that reads it reports it.
   void add_input(const std::string& path);
-  // `option` is what the user gave the name with ("--sheet").
+  // `option`: the option with which the user gave the name, e.g. "--sheet".
   void add(const std::string& option, const std::string& path, FileKind kind,
            ReadOnlyFiles read_only = ReadOnlyFiles::refused);
-  // As add(), for the file that a command goes on with: an input, too.
+  // As add(), but for a file that a command continues, which may be an input as well. The suffix is not checked.
   void add_continued(const std::string& option, const std::string& path, FileKind kind, ReadOnlyFiles read_only);
-  // A folder in which files of some names will be written. It need not exist.
+  // Adds a folder, which need not exist. `is_ours` tells whether a name is one of the files written there.
   void add_folder(const std::string& option, const std::string& path, std::function<bool(const std::string&)> is_ours);
 
  private:

@@ -9,15 +9,17 @@
 namespace netpocket {
 namespace {
 
-// How often a thread looks for work before it sleeps: some 200 us, longer than what is done alone between two loops.
+// Number of times a thread looks for work before it sleeps: about 200 us, longer than the serial work between two
+// loops.
 constexpr int kLooks = 20000;
-// A loop that takes one thread so long is worth the time that others take to wake; shorter ones wait for the next.
+// A loop for which one thread needs at least this long is shared even if members must wake first. While a member
+// sleeps, the caller does shorter loops alone.
 constexpr std::chrono::microseconds kWorthWaking{500};
-// How long the caller waits for ranges that others have begun. If they take longer some other program must have their
-// processor, and it works alone for a while: as many times as long as it has lost.
+// How long the caller accepts to wait for ranges that others have begun. If it takes longer, another program must use
+// their processor. Then the caller works alone for kTimesAlone times the time it has lost.
 constexpr std::chrono::microseconds kPatience{50};
 constexpr int kTimesAlone = 16;
-// How often it looks at the end of what is under way before it lets other programs have its own.
+// Number of times the caller checks whether the others have finished before it yields its processor.
 constexpr int kLooksBeforeYield = 200;
 
 void relax() {
@@ -67,8 +69,9 @@ void ThreadTeam::take_part(Part& part, bool from_front) {
   }
 }
 
-// Two by two, threads begin at the outer ends of their parts and meet in the middle: each has about the same ranges in
-// every loop, whichever is faster. Then it helps the others, against the way they go.
+// The two threads of a pair begin at the outer ends of their adjacent parts and meet in the middle. So each has about
+// the same ranges in every loop, whichever is faster. Then a thread helps the others, from the opposite ends of their
+// parts.
 void ThreadTeam::work_as(int member) {
   take_part(parts_[static_cast<std::size_t>(member)], member % 2 == 0);
   const int partner = member ^ 1;
@@ -76,7 +79,7 @@ void ThreadTeam::work_as(int member) {
   for (int other = 0; other < threads_; ++other) take_part(parts_[static_cast<std::size_t>(other)], other % 2 != 0);
 }
 
-// Wakes who sleeps.
+// Whether all members are awake. If not, wakes them.
 bool ThreadTeam::all_awake() {
   if (awake_ == threads_ - 1) return true;
   ++round_;
@@ -119,8 +122,8 @@ void ThreadTeam::run(int count, int grain, const std::function<void(int, int)>& 
   together_from_ = end + kTimesAlone * (end - own_end);
 }
 
-// A member that comes late finds the round closed, or the next one open: either way what it reads is whole, because
-// the caller does not change it while anybody is inside.
+// A late member finds the round closed, or the next one open. In both cases it reads consistent data, because the
+// caller changes nothing while a member is inside.
 void ThreadTeam::serve(int member) {
   ++awake_;
   for (std::uint32_t seen = 0;;) {

@@ -1,12 +1,14 @@
 #pragma once
-// Threads that share the loops of a step: a few hundred microseconds of work, tens of thousands of times a second. A
-// general scheduler puts idle threads to sleep between two loops, and waking them costs as much as they save (with
-// oneTBB two threads were 1.1 to 1.3 times as fast as one at 30,000 elements). These wait awake for a moment first.
+// Threads that share the loops of a step: a few hundred microseconds of work, tens of thousands of times a second.
 //
-// Each thread begins with the same part of each loop, so that what it reads is still in its cache, and then helps the
-// others: of two virtual processors one was often a quarter slower, for tens of milliseconds. The caller does
-// not wait for one that sleeps, unless the loop is long: where other programs take the processors, it does the work
-// alone.
+// A general scheduler puts idle threads to sleep between two loops, and waking them costs as much as they save (with
+// oneTBB two threads were 1.1 to 1.3 times as fast as one at 30,000 elements). The threads here wait awake for a moment
+// before they sleep.
+//
+// Each thread begins with the same part of every loop, so that its data is still in its cache. Then it helps the
+// others, because one of two virtual processors was often a quarter slower for tens of milliseconds. Unless the loop is
+// long, the caller does not wait for a thread that sleeps. If other programs take the processors, the caller does the
+// work alone.
 
 #include <atomic>
 #include <chrono>
@@ -20,34 +22,34 @@ namespace netpocket {
 
 class ThreadTeam {
  public:
-  // A team of `threads` (1 or more), the caller of run() among them.
+  // A team of `threads` threads (1 or more), including the caller of run().
   explicit ThreadTeam(int threads);
   ~ThreadTeam();
   ThreadTeam(const ThreadTeam&) = delete;
   ThreadTeam& operator=(const ThreadTeam&) = delete;
 
-  // Calls work(first, last) with ranges that make up [0, count), some at the same time, and returns when all have
-  // returned. They begin at multiples of `grain`. Before it takes its part the caller does `meanwhile`. Neither may
-  // throw. To be called by one thread at a time.
+  // Calls work(first, last) for ranges that together cover [0, count), several at the same time. Returns when all calls
+  // have returned. Ranges begin at multiples of `grain`. The caller runs `meanwhile` before it takes its part. Neither
+  // function may throw. Only one thread at a time may call this.
   void run(int count, int grain, const std::function<void(int first, int last)>& work,
            const std::function<void()>& meanwhile = no_work);
 
   // Processor time that the members other than the caller have used so far, s.
   double members_cpu_seconds();
 
-  // Where part `part` of `parts` of [0, count) begins: a thread's part.
+  // Begin of part `part` when [0, count) is divided into `parts` nearly equal parts.
   static int bound(int count, int part, int parts) {
     return static_cast<int>(static_cast<std::int64_t>(count) * part / parts);
   }
 
  private:
   using Clock = std::chrono::steady_clock;
-  // Ranges of `grain` that nobody has taken yet, from the first to before the last.
+  // The ranges [first, last) of a thread's part that no thread has taken yet, as indices of ranges of `grain`.
   class alignas(64) Part {
    public:
     void set(int first, int last) { left_ = pack(first, last); }
-    // Takes half of them, or the last one, from one of the ends: long stretches first, which processors read ahead.
-    // First and end; empty when none is left.
+    // Takes half of them (rounded up) from one end and returns their first and end; an empty pair if none is left. Long
+    // stretches come first, because processors prefetch them.
     std::pair<int, int> take(bool from_front);
 
    private:
@@ -69,10 +71,10 @@ class ThreadTeam {
   std::atomic<std::uint32_t> round_ = 0;
   std::atomic<bool> open_ = false;  // whether members may take ranges
   std::atomic<bool> ended_ = false;
-  std::atomic<int> awake_ = 0;   // members that do not sleep
-  std::atomic<int> inside_ = 0;  // members that may be taking ranges
-  Clock::duration loop_time_{};  // of the last loop, for one thread
-  bool alone_ = false;           // until together_from_
+  std::atomic<int> awake_ = 0;   // number of members that do not sleep
+  std::atomic<int> inside_ = 0;  // number of members that may be taking ranges
+  Clock::duration loop_time_{};  // of the last loop, if one thread did it
+  bool alone_ = false;           // whether the caller works alone until together_from_
   Clock::time_point together_from_{};
   std::vector<std::jthread> members_;
 };

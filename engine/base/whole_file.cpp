@@ -15,7 +15,7 @@
 namespace netpocket {
 namespace {
 
-// Short, so that a name of 255 bytes has room; of its own, so that nobody else writes it.
+// Short enough to fit even if the destination's name has 255 bytes, and unique, so that nobody else writes the file.
 std::string temporary_name() {
   static std::atomic<unsigned> count = 0;
   return fmt::format(".netpocket-{}-{}.part", getpid(), ++count);
@@ -30,7 +30,7 @@ int create(const Destination& destination, std::string& path) {
   }
 }
 
-// As many as there are frames; the next run draws or exports them again.
+// Files of which there are as many as frames need no synchronisation: they can be drawn or exported again.
 bool is_one_of_many(FileKind kind) { return kind == FileKind::png || kind == FileKind::vtp; }
 
 }  // namespace
@@ -58,9 +58,9 @@ void WholeFile::commit() {
   const auto require = [this](bool success) {
     if (!success) throw write_error(path(), errno);
   };
-  // File systems that cannot (some in memory, some over networks) say EINVAL or EROFS.
+  // File systems that cannot synchronise (some in memory, some over networks) return EINVAL or EROFS.
   if (!is_one_of_many(kind_)) require(fsync(descriptor_) == 0 || errno == EINVAL || errno == EROFS);
-  // Some network file systems only notice now that the disk is full.
+  // Some network file systems report a full disk only here.
   require(close(std::exchange(descriptor_, -1)) == 0);
   require(rename(temporary_path_.c_str(), destination_.path.c_str()) == 0);
   committed_ = true;

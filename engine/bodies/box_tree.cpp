@@ -12,7 +12,8 @@ BoxTree::BoxTree(std::vector<Eigen::AlignedBox3d> boxes) : boxes_(std::move(boxe
   build(0, 0, static_cast<std::int32_t>(order_.size()));
 }
 
-// Halves the boxes by their centres along the longest edge, so that the depth is that of a balanced tree.
+// Divides the boxes in two halves by their centres, along the longest edge of the box round the centres. So the tree is
+// balanced.
 void BoxTree::build(std::int32_t node, std::int32_t first, std::int32_t count) {
   constexpr std::int32_t kMostInLeaf = 4;
   Eigen::AlignedBox3d box, centres;

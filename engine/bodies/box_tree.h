@@ -1,5 +1,5 @@
 #pragma once
-// A tree of boxes that finds those that meet a given one. Immutable: any thread may use it.
+// A tree of boxes that finds the boxes that intersect a given one. Immutable: any thread may use it.
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -12,7 +12,7 @@ class BoxTree {
  public:
   explicit BoxTree(std::vector<Eigen::AlignedBox3d> boxes);
 
-  // Calls visit(index) for each box that meets `box`, by no particular but always the same order.
+  // Calls visit(index) for each box that intersects `box`. The order is arbitrary but always the same.
   template <typename Visit>
   void for_each_meeting(const Eigen::AlignedBox3d& box, const Visit& visit) const {
     if (nodes_.empty()) return;
@@ -34,8 +34,8 @@ class BoxTree {
  private:
   struct Node {
     Eigen::AlignedBox3d box;
-    std::int32_t first = 0;  // of the boxes in order_, or of two adjacent children
-    std::int32_t count = 0;  // boxes; 0: children
+    std::int32_t first = 0;  // first box in order_, or first of two adjacent children
+    std::int32_t count = 0;  // number of boxes; 0: the node has children
   };
   void build(std::int32_t node, std::int32_t first, std::int32_t count);
 

@@ -19,7 +19,7 @@ Corners corners_of(const MeshData& mesh, std::int32_t triangle) {
 
 Vector3d unit_normal(const Corners& t) { return (t[1] - t[0]).cross(t[2] - t[0]).normalized(); }
 
-// Signed distances of corners from the plane of another triangle.
+// Signed distances of a triangle's corners from the plane of another triangle.
 struct Heights {
   std::array<double, 3> of;
 
@@ -32,7 +32,7 @@ struct Heights {
   }
 };
 
-// Where a triangle meets the plane that its corners have these heights over.
+// The segment in which a triangle meets the plane from which its corners have these heights.
 struct Chord {
   Vector3d ends[2];
   int count = 0;
@@ -49,7 +49,7 @@ struct Chord {
   }
 };
 
-// Of a point in the triangle's plane.
+// Whether a point in the triangle's plane is inside it, farther than `tolerance` from its edges.
 bool is_well_inside(const Vector3d& point, const Corners& t, const Vector3d& normal, double tolerance) {
   for (int i = 0; i < 3; ++i) {
     const Vector3d side = t[(i + 1) % 3] - t[i];
@@ -68,7 +68,7 @@ bool share_corner(const Triangle& a, const Triangle& b) {
   return std::any_of(a.begin(), a.end(), [&](std::int32_t c) { return std::count(b.begin(), b.end(), c) > 0; });
 }
 
-// For each part the boxes of the others that meet its own box: only triangles there can cross another part.
+// Triangles whose box intersects the box of another part. Only these can cross another part.
 std::vector<std::int32_t> candidates(const MeshData& mesh, const std::vector<std::int32_t>& parts) {
   const std::int32_t count = parts.empty() ? 0 : *std::max_element(parts.begin(), parts.end()) + 1;
   std::vector<Eigen::AlignedBox3d> boxes(static_cast<std::size_t>(count));
@@ -105,7 +105,7 @@ std::optional<Vector3d> crossing(const Corners& a, const Corners& b, double tole
   if (!of_a.on_both_sides(tolerance)) return std::nullopt;
   const Chord chord_a(a, of_a), chord_b(b, of_b);
   if (chord_a.count < 2 || chord_b.count < 2) return std::nullopt;
-  // Both lie on the line in which the planes meet.
+  // Both chords lie on the line in which the planes meet.
   const Vector3d line = normal_a.cross(normal_b).normalized();
   const Vector3d& origin = chord_a.ends[0];
   const auto place = [&](const Vector3d& point) { return line.dot(point - origin); };

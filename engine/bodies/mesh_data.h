@@ -1,5 +1,5 @@
 #pragma once
-// Triangles as files hold them: nothing is known of them yet.
+// Triangles as files contain them. Nothing is guaranteed about them. Lengths in m, unless said otherwise.
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -16,12 +16,12 @@ struct MeshData {
   std::vector<Triangle> triangles;
 };
 
-// Larger meshes are refused.
+// Meshes with more triangles are refused.
 inline constexpr std::size_t kLargestTriangleCount = 2'000'000;
-inline constexpr double kSmallestMeshExtent = 1e-2;  // m, of the largest edge of the box round it
+inline constexpr double kSmallestMeshExtent = 1e-2;  // m, largest edge of the bounding box
 inline constexpr double kLargestMeshExtent = 1e3;    // m
 
-// Cross product of two sides of a triangle: its outward normal times twice its area.
+// Cross product of two sides of a triangle: its outward normal times twice its area. The corners must exist.
 inline Eigen::Vector3d area_vector(const MeshData& mesh, const Triangle& t) {
   const Eigen::Vector3d& origin = mesh.vertices[t[0]];
   return (mesh.vertices[t[1]] - origin).cross(mesh.vertices[t[2]] - origin);

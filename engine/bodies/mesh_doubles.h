@@ -1,5 +1,5 @@
 #pragma once
-// Triangles that lie on each other, corner on corner. Any thread may call these functions.
+// Triangles that have the same three corners. Any thread may call these functions.
 
 #include <vector>
 
@@ -7,13 +7,13 @@
 
 namespace netpocket {
 
-// Triangles that have the corners of an earlier one and face the same way, in their order.
+// Triangles with the same corners as an earlier one and the same orientation, in ascending order.
 std::vector<std::int32_t> find_doubles(const MeshData& mesh);
 
-// By triangle: the one that has the same corners and faces the other way; -1: none.
+// By triangle: the one with the same corners and the opposite orientation; -1: none.
 std::vector<std::int32_t> find_backs(const MeshData& mesh);
 
-// Leaves out the triangles that are marked.
+// Removes the marked triangles. `dropped`: by triangle.
 void drop_triangles(MeshData& mesh, const std::vector<bool>& dropped);
 
 }  // namespace netpocket

@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// `from < to` after sorting, `forward` says whether the triangle runs that way.
+// A side with its vertices in ascending order, from < to. `forward`: whether the triangle runs from `from` to `to`.
 struct Side {
   std::int32_t from, to;
   bool forward;
@@ -40,13 +40,13 @@ std::vector<Side> sorted_sides(const std::vector<Triangle>& triangles) {
 }
 
 void join(MeshEdges& edges, const Side& a, const Side& b) {
-  edges.strain_partners[a.side.triangle][a.side.edge] = b.number();
-  edges.strain_partners[b.side.triangle][b.side.edge] = a.number();
+  edges.neighbours[a.side.triangle][a.side.edge] = b.number();
+  edges.neighbours[b.side.triangle][b.side.edge] = a.number();
 }
 
 constexpr double kSameAngle = 1e-7;  // rad
 
-// Angle of each side's triangle about the edge, from the first one on, in [0, 2 pi).
+// Angle (rad, in [0, 2 pi)) of each side's triangle about the edge, measured from the first triangle.
 std::vector<double> angles_about(const MeshData& mesh, std::span<const Side> sides) {
   const Vector3d& from = mesh.vertices[sides[0].from];
   const Vector3d axis = (mesh.vertices[sides[0].to] - from).normalized();
@@ -65,35 +65,36 @@ std::vector<double> angles_about(const MeshData& mesh, std::span<const Side> sid
   return angles;
 }
 
-// Joins the sides of one edge in pairs that bound a wedge of the solid: seen along the edge, the solid begins behind a
-// triangle that runs against it and ends at the next one that runs along it. Both kinds must be equally many.
+// Joins the sides of one edge in pairs that bound a wedge of the solid. In the order of angles, the solid begins behind
+// a triangle that runs against the edge and ends at the next triangle that runs along it. There must be equally many of
+// both kinds.
 void join_wedges(const MeshData& mesh, std::span<const Side> sides, MeshEdges& edges) {
   const std::vector<double> angles = angles_about(mesh, sides);
   std::vector<std::size_t> order(sides.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return angles[a] < angles[b]; });
-  // Of triangles that coincide, ends come first: parts that touch enclose nothing between them.
+  // Among coinciding triangles, those that end a wedge come first, because touching parts enclose nothing between them.
   for (std::size_t first = 0, next = 0; first < order.size(); first = next) {
     while (next < order.size() && angles[order[next]] - angles[order[first]] <= kSameAngle) ++next;
     std::stable_partition(order.begin() + static_cast<std::ptrdiff_t>(first),
                           order.begin() + static_cast<std::ptrdiff_t>(next),
                           [&](std::size_t i) { return sides[i].forward; });
   }
-  // Ends and beginnings match like brackets, round and round.
+  // Beginnings and ends match like brackets on a circle, so that two rounds are needed.
   std::vector<std::size_t> begun;
   for (std::size_t i = 0; i < 2 * order.size(); ++i) {
     const std::size_t at = order[i % order.size()];
     const bool second_round = i >= order.size();
     if (!sides[at].forward) {
       if (!second_round) begun.push_back(at);
-    } else if (!begun.empty() && edges.strain_partners[sides[at].side.triangle][sides[at].side.edge] < 0) {
+    } else if (!begun.empty() && edges.neighbours[sides[at].side.triangle][sides[at].side.edge] < 0) {
       join(edges, sides[begun.back()], sides[at]);
       begun.pop_back();
     }
   }
 }
 
-// Sets of numbers that belong together.
+// Union-find: disjoint sets of numbers. The first (smallest) number represents a set.
 class Groups {
  public:
   explicit Groups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
@@ -115,7 +116,7 @@ class Groups {
 
 MeshEdges find_edges(const MeshData& mesh) {
   MeshEdges edges;
-  edges.strain_partners.assign(mesh.triangles.size(), {-1, -1, -1});
+  edges.neighbours.assign(mesh.triangles.size(), {-1, -1, -1});
   const std::vector<Side> sides = sorted_sides(mesh.triangles);
   for (std::size_t first = 0, next = 0; first < sides.size(); first = next) {
     while (next < sides.size() && sides[next].from == sides[first].from && sides[next].to == sides[first].to) ++next;
@@ -141,13 +142,13 @@ Vector3d middle(const MeshData& mesh, const TriangleSide& side) {
 }
 
 std::vector<std::int32_t> part_numbers(const MeshEdges& edges) {
-  Groups groups(edges.strain_partners.size());
-  for (std::size_t t = 0; t < edges.strain_partners.size(); ++t) {
-    for (const std::int32_t strain_partner : edges.strain_partners[t]) {
-      if (strain_partner >= 0) groups.unite(static_cast<std::int32_t>(t), strain_partner / 3);
+  Groups groups(edges.neighbours.size());
+  for (std::size_t t = 0; t < edges.neighbours.size(); ++t) {
+    for (const std::int32_t neighbour : edges.neighbours[t]) {
+      if (neighbour >= 0) groups.unite(static_cast<std::int32_t>(t), neighbour / 3);
     }
   }
-  std::vector<std::int32_t> numbers(edges.strain_partners.size(), -1);
+  std::vector<std::int32_t> numbers(edges.neighbours.size(), -1);
   std::int32_t count = 0;
   for (std::size_t t = 0; t < numbers.size(); ++t) {
     const std::int32_t first = groups.first(static_cast<std::int32_t>(t));
@@ -157,21 +158,20 @@ std::vector<std::int32_t> part_numbers(const MeshEdges& edges) {
 }
 
 void split_vertices(MeshData& mesh, const MeshEdges& edges) {
-  // Corners, as 3 * triangle + place, that are one: those at the ends of joined sides.
+  // Corners are numbered 3 * triangle + place. Corners at the same end of joined sides belong to one set.
   Groups corners(3 * mesh.triangles.size());
   const auto vertex = [&](std::int32_t corner) -> std::int32_t& { return mesh.triangles[corner / 3][corner % 3]; };
   const auto next = [](std::int32_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; };
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     for (int edge = 0; edge < 3; ++edge) {
-      const std::int32_t here = static_cast<std::int32_t>(3 * t) + edge,
-                         strain_partner = edges.strain_partners[t][edge];
-      if (strain_partner < here) continue;
-      const bool opposite = vertex(here) == vertex(next(strain_partner));
-      corners.unite(here, opposite ? next(strain_partner) : strain_partner);
-      corners.unite(next(here), opposite ? strain_partner : next(strain_partner));
+      const std::int32_t here = static_cast<std::int32_t>(3 * t) + edge, neighbour = edges.neighbours[t][edge];
+      if (neighbour < here) continue;
+      const bool opposite = vertex(here) == vertex(next(neighbour));
+      corners.unite(here, opposite ? next(neighbour) : neighbour);
+      corners.unite(next(here), opposite ? neighbour : next(neighbour));
     }
   }
-  // The first set of corners keeps the vertex, any other gets a copy.
+  // The first set of corners at a vertex keeps it; each other set gets a copy.
   std::vector<std::int32_t> owner(mesh.vertices.size(), -1);
   std::vector<std::int32_t> copies(3 * mesh.triangles.size(), -1);  // by the set's first corner
   for (std::int32_t corner = 0; corner < static_cast<std::int32_t>(3 * mesh.triangles.size()); ++corner) {

@@ -1,5 +1,5 @@
 #pragma once
-// How the triangles of a mesh join at their edges. Any thread may call these functions.
+// Topology of a mesh: which triangles join at which edges. Any thread may call these functions.
 
 #include <vector>
 
@@ -14,23 +14,26 @@ struct TriangleSide {
 };
 
 struct MeshEdges {
-  // By triangle and edge: the triangle that goes on beyond it, as 3 * triangle + edge; -1: none. Where four triangles
-  // or more meet, each is joined with the one that bounds the same wedge of the solid: parts that touch stay apart.
-  std::vector<std::array<std::int32_t, 3>> strain_partners;
-  // One side of each edge, by the order of the vertices.
-  std::vector<TriangleSide> open;    // of a single triangle
-  std::vector<TriangleSide> forked;  // of three or more that bound no wedges
-  std::vector<TriangleSide> turned;  // of two that run along it the same way: one of them faces the wrong way
+  // By triangle and edge: the neighbour across the edge, as 3 * triangle + edge; -1: none. Where four or more triangles
+  // meet, each is joined with the one that bounds the same wedge of the solid. So parts that touch stay separate.
+  std::vector<std::array<std::int32_t, 3>> neighbours;
+  // Faulty edges, by one side of each, in the order of the vertices.
+  std::vector<TriangleSide> open;    // edges of a single triangle
+  std::vector<TriangleSide> forked;  // edges of three or more triangles that do not bound wedges
+  std::vector<TriangleSide> turned;  // edges along which two triangles run the same way: one faces the wrong way
 };
 
+// The corners of the triangles must exist.
 MeshEdges find_edges(const MeshData& mesh);
 
+// Middle of a side.
 Eigen::Vector3d middle(const MeshData& mesh, const TriangleSide& side);
 
-// The part that each triangle belongs to, 0, 1, ... by the order of their first triangles: what is joined at edges.
+// The part of each triangle. A part is a set of triangles that are joined at edges. Parts are numbered 0, 1, ... in the
+// order of their first triangles.
 std::vector<std::int32_t> part_numbers(const MeshEdges& edges);
 
-// Gives parts that share a vertex, and fans of triangles that have only a vertex in common, vertices of their own.
+// Copies vertices so that parts share none, and that fans of triangles which meet only at a vertex share none.
 void split_vertices(MeshData& mesh, const MeshEdges& edges);
 
 }  // namespace netpocket

@@ -1,7 +1,7 @@
 #pragma once
-// Triangle meshes from files that nobody vouches for: STL (binary and ASCII) and Wavefront OBJ (vertices and faces;
-// plane polygons become triangles). Nothing else that a file names, such as materials, is followed. Any thread may call
-// it.
+// Reads triangle meshes from untrusted files: STL (binary and ASCII) and Wavefront OBJ (vertices and faces; plane
+// polygons become triangles). Everything else in a file is ignored; other files that it names, such as materials, are
+// not opened. Any thread may call these functions.
 
 #include <string>
 #include <string_view>
@@ -11,15 +11,14 @@
 
 namespace netpocket {
 
-// Larger files are refused, unread.
+// Larger files are refused without reading them.
 inline constexpr std::size_t kLargestMeshFile = 500'000'000;  // bytes
 
-// The triangles as they stand in the file, coordinates times `scale`; or the rest of a sentence that begins with the
-// file's name ("is empty").
-// The file's name must end in .stl or .obj.
+// Returns the triangles as they are in the file, with coordinates multiplied by `scale`. If the file cannot be read,
+// returns the rest of a sentence that begins with the file's name ("is empty"). The name must end in .stl or .obj.
 std::variant<MeshData, std::string> read_mesh_file(const std::string& path, double scale);
 
-// The same from the bytes of a file.
+// The same for the bytes of a file.
 std::variant<MeshData, std::string> read_stl(std::string_view bytes, double scale);
 std::variant<MeshData, std::string> read_obj(std::string_view bytes, double scale);
 

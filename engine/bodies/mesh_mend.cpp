@@ -15,10 +15,10 @@
 namespace netpocket {
 namespace {
 
-// By triangle: whether it faces against the first one of its part, of parts that lie in a plane. The sides of a panel
-// may be divided into triangles in different ways.
+// By triangle: whether its part lies in a plane and it faces against the first triangle of the part. The two sides of a
+// panel may be divided into triangles differently, so that twins of triangles cannot be relied on.
 std::vector<bool> backs_of_planes(const MeshData& mesh, const MeshReview& review) {
-  constexpr double kParallel = 1 - 1e-9;  // of the cosine
+  constexpr double kParallel = 1 - 1e-9;  // least cosine between parallel normals
   std::vector<Eigen::Vector3d> normals(review.parts.size(), Eigen::Vector3d::Zero());
   std::vector<bool> is_plane(review.parts.size(), true), backs(mesh.triangles.size());
   for (std::size_t t = 0; t < backs.size(); ++t) {
@@ -48,7 +48,7 @@ class Mender {
  private:
   MeshData& mesh() { return result_.mesh; }
 
-  // "12 triangles turned ..."; `thing` in the singular.
+  // Adds a change such as "12 triangles turned ...". `thing` is in the singular.
   void note(std::size_t count, const char* thing, const std::string& what) {
     if (count > 0) result_.changes.push_back(fmt::format("{} {}{} {}", count, thing, count == 1 ? "" : "s", what));
   }
@@ -74,7 +74,8 @@ class Mender {
     note(places.size(), "corner", "joined with an edge of another triangle on which it lies");
   }
 
-  // Of two-sided surfaces one side stays: the outer one of closed ones; of panels any, to be given a thickness.
+  // Keeps one side of each two-sided surface: the outer one if it is closed, either one of a panel that will get a
+  // thickness.
   void drop_backs() {
     const MeshReview review = review_mesh(mesh());
     if (review.part_of.size() != mesh().triangles.size()) return;

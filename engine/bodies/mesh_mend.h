@@ -1,5 +1,5 @@
 #pragma once
-// A mended copy of a mesh: of what is wrong with it, that which can be put right in one way only. Any thread may call
+// Makes a mended copy of a mesh. It corrects the faults that can be corrected in one way only. Any thread may call
 // these functions.
 
 #include <string>
@@ -10,20 +10,22 @@
 namespace netpocket {
 
 struct MendOptions {
-  // In the mesh's unit.
-  double weld_tolerance = 0;  // corners that are this near are joined; 0: kWeldTolerance of the extent
-  double thickness = 0;       // that open surfaces and panels without thickness get; 0: they stay as they are
-  double unit = 1;            // m: the changes tell of lengths in metres
+  double weld_tolerance = 0;  // mesh's unit; nearer corners are joined; 0: kWeldTolerance times the extent
+  double thickness = 0;       // mesh's unit; given to open surfaces and panels without thickness; 0: not changed
+  double unit = 1;            // m, the mesh's unit; `changes` state lengths in metres
 };
 
 struct MendedMesh {
   MeshData mesh;
-  std::vector<std::string> changes;  // what was done, one sentence each, without a full stop; empty: nothing
+  std::vector<std::string> changes;  // one sentence for each kind of change, without a full stop
 };
 
-// Joins corners; leaves out triangles that are there twice and the inner side of two-sided closed surfaces; divides
-// edges where corners of other triangles lie on them; lets neighbours face the same way, closed parts outwards. The
-// numbers must be sound (number_fault). What is left, review_mesh() tells.
+// - Joins corners.
+// - Removes duplicate triangles and the inner side of two-sided closed surfaces.
+// - Divides edges where corners of other triangles lie on them.
+// - Turns neighbours to face the same way, and closed parts to face outwards.
+// - If options.thickness > 0, gives open surfaces and panels without thickness that thickness.
+// number_fault(data) must be empty. review_mesh() finds the faults that remain.
 MendedMesh mend_mesh(const MeshData& data, const MendOptions& options);
 
 }  // namespace netpocket

@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// The triangles of one part, facing outwards.
+// The triangles of one part as a mesh that faces outwards. `inverted`: whether they face inwards.
 MeshData part_mesh(const MeshData& mesh, const std::vector<std::int32_t>& triangles, bool inverted) {
   MeshData data;
   std::vector<std::pair<std::int32_t, std::int32_t>> numbers;  // vertex in the mesh, vertex here
@@ -67,7 +67,8 @@ class Nesting {
       const Vector3d normal = area_vector(mesh_, mesh_.triangles[t]).normalized();
       if (normal.isZero()) continue;
       const Vector3d centre = centroid(mesh_, mesh_.triangles[t]);
-      // A little way into what the part encloses: faces that touch lie on both sides of each other.
+      // The test point is slightly inside the volume that the part encloses. So faces of touching parts count as
+      // outside each other.
       const auto holders = holders_of(centre + (inverted ? tolerance_ : -tolerance_) * normal, others);
       if (!holders) continue;
       if (result.in_place + result.misplaced == 0) result.holder = smallest(*holders);
@@ -78,7 +79,7 @@ class Nesting {
     return result;
   }
 
-  // Nothing when the point is on the surface of one.
+  // Parts that contain the point; empty optional if it is on the surface of one of them.
   std::optional<std::vector<std::int32_t>> holders_of(const Vector3d& point, const std::vector<std::int32_t>& others) {
     std::vector<std::int32_t> holders;
     for (const std::int32_t other : others) {
@@ -110,7 +111,7 @@ class Nesting {
   const std::vector<MeshPart>& parts_;
   double tolerance_;
   std::vector<std::vector<std::int32_t>> triangles_;         // by part
-  std::vector<std::shared_ptr<const TriangleMesh>> solids_;  // by part, facing outwards; made when needed
+  std::vector<std::shared_ptr<const TriangleMesh>> solids_;  // by part, facing outwards; made on demand
 };
 
 }  // namespace

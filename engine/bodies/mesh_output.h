@@ -1,5 +1,5 @@
 #pragma once
-// Meshes as the bytes of files. Any thread may call these functions.
+// Writes meshes as the contents of files. Any thread may call these functions.
 
 #include <string>
 
@@ -7,10 +7,10 @@
 
 namespace netpocket {
 
-// Wavefront OBJ: coordinates with the fewest digits that read back to the same number.
+// Wavefront OBJ. Coordinates have the fewest digits that read back to the same number.
 std::string obj_text(const MeshData& mesh);
 
-// Binary STL: coordinates in single precision.
+// Binary STL. Coordinates are in single precision.
 std::string binary_stl(const MeshData& mesh);
 
 }  // namespace netpocket

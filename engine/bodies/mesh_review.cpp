@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// "3 of its parts lie", "1 of its parts lies".
+// The word for one thing or for many.
 const char* plural(std::size_t count, const char* one, const char* many) { return count == 1 ? one : many; }
 
 class Reviewer {
@@ -134,22 +134,21 @@ class Reviewer {
       ++part.triangles;
       for (const std::int32_t corner : triangle) part.bounds.extend(mesh.vertices[corner]);
       part.area += area_vector(mesh, triangle).norm() / 2;
-      // About a point of the part, so that its place costs no digits.
+      // Relative to a point of the part, so that parts far from the origin lose no digits.
       part.volume += (mesh.vertices[triangle[0]] - part.place).dot(area_vector(mesh, triangle)) / 6;
-      for (const std::int32_t strain_partner : review_.edges.strain_partners[t])
-        part.closed = part.closed && strain_partner >= 0;
+      for (const std::int32_t neighbour : review_.edges.neighbours[t]) part.closed = part.closed && neighbour >= 0;
     }
     for (MeshPart& part : parts) part.two_sided = true;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
       if (review_.back_of[t] < 0) parts[review_.part_of[t]].two_sided = false;
     }
     for (const TriangleSide& side : review_.edges.turned) parts[review_.part_of[side.triangle]].closed = false;
-    constexpr double kFlat = 1e-10;  // of area times extent
+    constexpr double kFlat = 1e-10;  // fraction of area times extent
     for (MeshPart& part : parts)
       part.flat = std::abs(part.volume) <= kFlat * part.area * part.bounds.sizes().maxCoeff();
   }
 
-  // Parts that are closed and for which `is_bad` holds.
+  // Places of the closed parts for which `is_bad` holds.
   template <typename Test>
   std::vector<Vector3d> places_of(const Test& is_bad) const {
     std::vector<Vector3d> places;

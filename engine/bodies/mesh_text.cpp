@@ -44,7 +44,7 @@ std::string_view plain_text(std::string_view bytes) {
 }
 
 bool MeshWords::next_line() {
-  while (line_.ends_with('\\') && !rest_.empty()) take_line();  // what was left of it unread
+  while (line_.ends_with('\\') && !rest_.empty()) take_line();  // skips unread continuation lines
   if (rest_.empty()) return false;
   take_line();
   return true;
@@ -68,7 +68,7 @@ std::string_view MeshWords::next() {
     take_line();
   }
   auto last = std::min(line_.find_first_of(kBlank), line_.size());
-  // A backslash at the very end of the last word belongs to the line.
+  // A backslash at the end of the last word is a continuation mark, not part of the word.
   if (last == line_.size() && last > 1 && line_.back() == '\\') --last;
   const std::string_view word = line_.substr(0, last);
   line_ = line_.substr(last);

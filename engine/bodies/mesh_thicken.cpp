@@ -14,8 +14,8 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// The smallest shift of a corner that moves each face at it by one along its normal, in the sense of least squares:
-// of sum(w (n . d - 1)^2).
+// The smallest shift d of a corner that moves each of its faces by 1 along its normal n, in the sense of least squares:
+// it minimises sum(w (n . d - 1)^2).
 Vector3d unit_shift(const Matrix3d& normals_squared, const Vector3d& normal_sum) {
   const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(normals_squared);
   constexpr double kRoundOff = 1e-6;
@@ -26,7 +26,7 @@ Vector3d unit_shift(const Matrix3d& normals_squared, const Vector3d& normal_sum)
     const Vector3d axis = solver.eigenvectors().col(i);
     shift += axis.dot(normal_sum) / solver.eigenvalues()[i] * axis;
   }
-  // At a needle's tip no shift serves all faces.
+  // At a sharp tip no moderate shift suits all faces, so it is bounded.
   constexpr double kLongest = 3;
   return shift.norm() > kLongest ? Vector3d(kLongest * shift.normalized()) : shift;
 }
@@ -37,7 +37,7 @@ double corner_angle(const MeshData& mesh, const Triangle& t, int corner) {
   return arc_tangent(u.cross(v).norm(), u.dot(v));
 }
 
-// By vertex.
+// unit_shift by vertex.
 std::vector<Vector3d> unit_shifts(const MeshData& mesh) {
   std::vector<Matrix3d> squared(mesh.vertices.size(), Matrix3d::Zero());
   std::vector<Vector3d> sum(mesh.vertices.size(), Vector3d::Zero());
@@ -62,8 +62,7 @@ std::size_t thicken_open_parts(MeshData& mesh, double thickness) {
   const std::vector<std::int32_t> part_of = part_numbers(edges);
   std::vector<bool> is_open(mesh.triangles.size());  // by part
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (const std::int32_t strain_partner : edges.strain_partners[t])
-      is_open[part_of[t]] = is_open[part_of[t]] || strain_partner < 0;
+    for (const std::int32_t neighbour : edges.neighbours[t]) is_open[part_of[t]] = is_open[part_of[t]] || neighbour < 0;
   }
   const std::vector<Vector3d> shifts = unit_shifts(mesh);
   std::vector<std::int32_t> behind(mesh.vertices.size(), -1);  // by vertex: its twin on the other side
@@ -82,7 +81,7 @@ std::size_t thicken_open_parts(MeshData& mesh, double thickness) {
     const Triangle front = mesh.triangles[i];
     mesh.triangles.push_back({twin(front[0]), twin(front[2]), twin(front[1])});
     for (int edge = 0; edge < 3; ++edge) {
-      if (edges.strain_partners[i][edge] >= 0) continue;
+      if (edges.neighbours[i][edge] >= 0) continue;
       const std::int32_t a = front[edge], b = front[(edge + 1) % 3];
       mesh.triangles.push_back({b, a, twin(a)});
       mesh.triangles.push_back({b, twin(a), twin(b)});

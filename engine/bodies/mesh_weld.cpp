@@ -14,10 +14,10 @@ namespace {
 using Eigen::Vector3d;
 
 std::array<double, 3> coordinates(const Vector3d& v) {
-  return {v.x() + 0.0, v.y() + 0.0, v.z() + 0.0};  // + 0.0: a zero has one sign
+  return {v.x() + 0.0, v.y() + 0.0, v.z() + 0.0};  // + 0.0 turns -0 into +0
 }
 
-// For each vertex the first one with the same coordinates.
+// By vertex: the first one with the same coordinates.
 std::vector<std::int32_t> equal_vertices(const std::vector<Vector3d>& vertices) {
   const auto key = [&](std::int32_t i) { return coordinates(vertices[i]); };
   std::vector<std::int32_t> order(vertices.size());
@@ -32,7 +32,7 @@ std::vector<std::int32_t> equal_vertices(const std::vector<Vector3d>& vertices) 
   return twin;
 }
 
-// Vertices in cubes whose edge is four tolerances: few of them hold what is near a point.
+// Hash grid of vertices. The edge of its cubes is four tolerances, so that few cubes are near a point.
 class Cubes {
  public:
   Cubes(const std::vector<Vector3d>& vertices, double tolerance) : vertices_(vertices), tolerance_(tolerance) {}
@@ -63,7 +63,7 @@ class Cubes {
 
   Cell cell(const Vector3d& point) const {
     Cell result;
-    constexpr double kFarthest = 4e18;  // what a cell's number can be
+    constexpr double kFarthest = 4e18;  // fits into std::int64_t
     for (int i = 0; i < 3; ++i) {
       result[i] = static_cast<std::int64_t>(std::clamp(std::floor(point[i] / (4 * tolerance_)), -kFarthest, kFarthest));
     }
@@ -83,7 +83,7 @@ class Cubes {
   std::unordered_multimap<std::uint64_t, std::int32_t> cubes_;
 };
 
-// Whether a triangle has the vertex, or one that equals it.
+// By vertex: whether a triangle uses it or an equal one.
 std::vector<bool> used_vertices(const MeshData& data, const std::vector<std::int32_t>& twin) {
   std::vector<bool> used(data.vertices.size());
   for (const Triangle& t : data.triangles) {
@@ -112,7 +112,7 @@ WeldedMesh weld(const MeshData& data, double tolerance) {
       if (!used[i]) continue;
       const auto first = static_cast<std::size_t>(twin[i]);
       if (first != i) {
-        // Its twin comes before it and knows its place.
+        // The twin comes earlier in the list and has been joined already.
         result.joined += twin[first] != twin[i] ? 1 : 0;
         twin[i] = twin[first];
       } else if (const auto near = cubes.find(data.vertices[i])) {

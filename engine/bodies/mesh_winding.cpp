@@ -13,7 +13,7 @@ namespace {
 
 void turn(Triangle& t) { std::swap(t[1], t[2]); }
 
-// The triangles of the part that begins at one, and which of them face otherwise than the first.
+// The triangles of a part, and those of them that face differently from the first one.
 struct Part {
   std::vector<std::int32_t> triangles;
   std::vector<std::int32_t> turned;
@@ -35,14 +35,14 @@ class PartWalk {
       const std::int32_t t = part.triangles[i];
       if (state_[t] == State::turned) part.turned.push_back(t);
       for (int edge = 0; edge < 3; ++edge) {
-        const std::int32_t strain_partner = edges_.strain_partners[t][edge];
-        if (strain_partner < 0) continue;
-        const bool same = runs_along(t, edge, strain_partner);  // along the edge: they face opposite ways
+        const std::int32_t neighbour = edges_.neighbours[t][edge];
+        if (neighbour < 0) continue;
+        const bool same = runs_along(t, edge, neighbour);  // same direction: they face opposite ways
         const State wanted = (state_[t] == State::turned) != same ? State::turned : State::like_first;
-        State& state = state_[strain_partner / 3];
+        State& state = state_[neighbour / 3];
         if (state == State::unseen) {
           state = wanted;
-          part.triangles.push_back(strain_partner / 3);
+          part.triangles.push_back(neighbour / 3);
         } else if (state != wanted) {
           part.orientable = false;
         }
@@ -54,8 +54,8 @@ class PartWalk {
  private:
   enum class State : char { unseen, like_first, turned };
 
-  bool runs_along(std::int32_t t, int edge, std::int32_t strain_partner) const {
-    return mesh_.triangles[t][edge] == mesh_.triangles[strain_partner / 3][strain_partner % 3];
+  bool runs_along(std::int32_t t, int edge, std::int32_t neighbour) const {
+    return mesh_.triangles[t][edge] == mesh_.triangles[neighbour / 3][neighbour % 3];
   }
 
   const MeshData& mesh_;
@@ -93,7 +93,7 @@ void turn_outwards(MeshData& mesh, WindingChange& change) {
   const auto all_misplaced = [&](std::size_t i) { return nesting[i].misplaced > 0 && nesting[i].in_place == 0; };
   std::vector<bool> turned(parts.size());
   for (std::size_t i = 0; i < parts.size(); ++i) turned[i] = all_misplaced(i) && parts[i].volume < 0;
-  // What faced the other way than the part that holds it was a hollow of it.
+  // A part that faced the other way than its holder was a hollow of it, so both are turned.
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (all_misplaced(i) && parts[i].volume > 0 && nesting[i].holder) turned[i] = turned[*nesting[i].holder];
   }

@@ -13,7 +13,7 @@
 namespace netpocket {
 namespace {
 
-// All that the format's description names, but for "v" and "f".
+// All keywords of the format except "v" and "f".
 constexpr std::string_view kOtherWords[] = {
     "vt",        "vn",     "vp",     "p",    "l",     "fo",     "g",     "s",        "o",        "mg",   "mtllib",
     "usemtl",    "usemap", "maplib", "curv", "curv2", "surf",   "parm",  "trim",     "hole",     "scrv", "sp",
@@ -44,7 +44,8 @@ class ObjFile {
   }
 
  private:
-  // "7", "7/1", "7//3", "-1": the first number, counted from 1 or backwards from the newest vertex.
+  // Vertex index of a word such as "7", "7/1", "7//3" or "-1". Only the first number counts. It is 1-based, or negative
+  // to count backwards from the newest vertex.
   std::int32_t corner(std::string_view word) const {
     const std::string_view digits = word.substr(0, word.find('/'));
     std::int64_t number = 0;
@@ -56,7 +57,7 @@ class ObjFile {
     return static_cast<std::int32_t>(index);
   }
 
-  // Corners that equal the one before them.
+  // Removes corners at the same place as the one before them.
   static void drop_repeated(std::vector<std::int32_t>& corners, std::vector<Eigen::Vector3d>& places) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -90,7 +91,7 @@ class ObjFile {
   MeshWords words_;
   double scale_;
   MeshData mesh_;
-  int unknown_line_ = 0;  // the first that is not OBJ; 0: none
+  int unknown_line_ = 0;  // first line that is not OBJ; 0: none
 };
 
 }  // namespace

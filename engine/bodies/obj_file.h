@@ -7,7 +7,8 @@
 
 namespace netpocket {
 
-// Faces as triangles, coordinates times `scale`. Nothing else that the file names is followed. Throws MeshFileError.
+// Reads faces as triangles, with coordinates multiplied by `scale`. Everything else in the file is ignored. Throws
+// MeshFileError if the file cannot be read.
 MeshData parse_obj(std::string_view bytes, double scale);
 
 }  // namespace netpocket

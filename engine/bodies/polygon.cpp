@@ -25,7 +25,8 @@ CornerTriples fan(std::int32_t corners) {
   return triangles;
 }
 
-// The polygon in its plane, seen from the side from which it runs counter-clockwise. No corners: they lie on a line.
+// The polygon in its plane, seen from the side from which it runs counter-clockwise. It has no corners if they lie on a
+// line.
 struct FlatPolygon {
   std::vector<Vector2d> corners;
   double area = 0;    // m^2
@@ -48,14 +49,14 @@ std::variant<FlatPolygon, std::string> flatten(std::span<const Vector3d> corners
     middle += corner / static_cast<double>(corners.size());
     box.extend(corner);
   }
-  Vector3d area = Vector3d::Zero();  // Newell's sum
+  Vector3d area = Vector3d::Zero();  // area vector by Newell's method
   for (std::size_t i = 0; i < corners.size(); ++i) {
     area += (corners[i] - middle).cross(corners[(i + 1) % corners.size()] - middle) / 2;
   }
   FlatPolygon flat;
   flat.extent = box.diagonal().norm();
   flat.area = area.norm();
-  constexpr double kNoArea = 1e-12;  // of the extent's square
+  constexpr double kNoArea = 1e-12;  // fraction of the square of the extent
   if (!(flat.area > kNoArea * flat.extent * flat.extent)) {
     if (lie_on_a_line(corners, flat.extent)) return FlatPolygon{};
     return std::string("a face crosses itself");
@@ -75,7 +76,7 @@ std::variant<FlatPolygon, std::string> flatten(std::span<const Vector3d> corners
   return flat;
 }
 
-// Turns left at each corner, once round in all.
+// A convex polygon turns left at each corner, by one full turn in all.
 bool is_convex(const FlatPolygon& polygon) {
   const auto& p = polygon.corners;
   const std::size_t count = p.size();
@@ -85,10 +86,10 @@ bool is_convex(const FlatPolygon& polygon) {
     if (cross(in, out) <= 1e-9 * in.norm() * out.norm()) return false;
     turned += arc_tangent(cross(in, out), in.dot(out));
   }
-  return turned < 7;  // 2 pi; twice round is 4 pi
+  return turned < 7;  // one turn is 2 pi, two turns are 4 pi
 }
 
-// Two sides that cross within each other, not at their ends.
+// Whether two sides cross in their interiors, not at their ends.
 bool crosses_itself(const FlatPolygon& polygon) {
   const auto& p = polygon.corners;
   const std::size_t count = p.size();
@@ -120,7 +121,7 @@ class EarCutter {
       if (!ear) return std::nullopt;
       triangles.push_back({left_[before(*ear)], left_[*ear], left_[after(*ear)]});
       left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(*ear));
-      // The next one is looked for behind it: fans of needles are avoided.
+      // The search continues behind this ear, which avoids fans of narrow triangles.
       at = *ear % left_.size();
     }
     triangles.push_back({left_[0], left_[1], left_[2]});
@@ -133,7 +134,7 @@ class EarCutter {
   const Vector2d& corner(std::size_t i) const { return corners_[left_[i]]; }
   double turn(std::size_t i) const { return cross(corner(before(i)), corner(i), corner(after(i))); }
 
-  // From `start` on; one without area (on a straight side) only when there is no other.
+  // Finds an ear, beginning at `start`. Takes one without area (on a straight side) only if there is no other.
   std::optional<std::size_t> find_ear(std::size_t start) const {
     std::optional<std::size_t> flat;
     for (std::size_t k = 0; k < left_.size(); ++k) {
@@ -145,7 +146,7 @@ class EarCutter {
     return flat;
   }
 
-  // No other corner within the ear. Corners that coincide with one of its own do not count.
+  // Whether no other corner is inside the ear. Corners that coincide with its own do not count.
   bool is_free(std::size_t i) const {
     const Vector2d &a = corner(before(i)), &b = corner(i), &c = corner(after(i));
     for (std::size_t k = 0; k < left_.size(); ++k) {
@@ -170,7 +171,7 @@ std::variant<CornerTriples, std::string> triangulate(std::span<const Vector3d> c
   }
   if (corners.size() == 3) return fan(3);
   for (const Vector3d& corner : corners) {
-    if (!corner.allFinite()) return fan(static_cast<std::int32_t>(corners.size()));  // refused with the mesh
+    if (!corner.allFinite()) return fan(static_cast<std::int32_t>(corners.size()));  // number_fault() will report it
   }
   auto flat = flatten(corners);
   if (auto* problem = std::get_if<std::string>(&flat)) return std::move(*problem);

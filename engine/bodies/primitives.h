@@ -1,5 +1,5 @@
 #pragma once
-// The shapes that have closed forms, centred at the origin.
+// Shapes with closed formulas, centred at the origin.
 
 #include <Eigen/Core>
 #include <numbers>
@@ -17,7 +17,7 @@ struct Cylinder {
   double length;  // m, along the body's y axis
 };
 
-// m^3
+// Volume, m^3.
 inline double volume(const Sphere& s) { return 4 * std::numbers::pi / 3 * s.radius * s.radius * s.radius; }
 inline double volume(const Box& b) { return b.size.prod(); }
 inline double volume(const Cylinder& c) { return std::numbers::pi * c.radius * c.radius * c.length; }

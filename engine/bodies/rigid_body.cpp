@@ -13,8 +13,8 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Largest angle (rad) of a turn of the splitting, which errs by some (angle/20)^2 of the energy of spin, to and fro;
-// and the most turns of a step.
+// Largest angle (rad) of one substep of the splitting, and the largest number of substeps in a step. The relative error
+// of the rotational energy oscillates with an amplitude of about (angle/20)^2.
 constexpr double kLargestTurn = 0.001, kMostTurns = 64;
 
 void check(double mass, const Matrix3d& inertia) {
@@ -54,7 +54,7 @@ Vector3d RigidBody::angular_momentum_of(const Vector3d& angular_velocity) const 
 
 void RigidBody::set_angular_velocity(const Vector3d& angular_velocity) {
   state_.angular_momentum = angular_momentum_of(angular_velocity);
-  angular_velocity_ = apply_inverse_inertia(state_.angular_momentum);  // as it follows from a restored state
+  angular_velocity_ = apply_inverse_inertia(state_.angular_momentum);  // same bits as from a restored state
 }
 
 void RigidBody::kick(const Vector3d& force, const Vector3d& torque, double dt) {
@@ -65,7 +65,7 @@ void RigidBody::kick(const Vector3d& force, const Vector3d& torque, double dt) {
 
 void RigidBody::drift(double dt) {
   state_.position += dt * state_.velocity;
-  // One where a lost state has no number for it.
+  // In a diverged state the angle is NaN; std::max then gives one substep.
   const double parts =
       std::min(kMostTurns, std::max(1.0, std::ceil(symmetric_norm(angular_velocity_) * dt / kLargestTurn)));
   for (int part = 0; part < static_cast<int>(parts); ++part) turn_freely(dt / parts);

@@ -6,15 +6,15 @@
 namespace netpocket {
 namespace {
 
-// Proportions of a usual communications satellite.
-constexpr double kArmShare = 0.16;         // of the way from bus to tip
-constexpr double kArmWidth = 0.12;         // of the panel's width
-constexpr double kPanelThickness = 0.035;  // of the panel's width
-constexpr double kMastLength = 0.10;       // of the dish's diameter
-constexpr double kMastRadius = 0.10;       // "
-constexpr double kDishDepth = 0.20;        // "
-constexpr double kNozzleRadius = 0.22;     // of the bus's smaller width
-constexpr double kNozzleLength = 0.28;     // "
+// Proportions of a typical communications satellite, as fractions of the length in the comment.
+constexpr double kArmShare = 0.16;         // distance from the bus to the tip
+constexpr double kArmWidth = 0.12;         // width of the panel
+constexpr double kPanelThickness = 0.035;  // width of the panel
+constexpr double kMastLength = 0.10;       // diameter of the dish
+constexpr double kMastRadius = 0.10;       // diameter of the dish
+constexpr double kDishDepth = 0.20;        // diameter of the dish
+constexpr double kNozzleRadius = 0.22;     // smaller width of the bus
+constexpr double kNozzleLength = 0.28;     // smaller width of the bus
 
 }  // namespace
 

@@ -1,7 +1,7 @@
 #pragma once
-// A satellite as a target: a bus with two solar panels, a dish and an engine nozzle, made of boxes and cylinders that
-// touch but do not overlap. Lengths in m; body axes: panels along x, dish at +y, nozzle at -y, panels face z. The
-// origin is the centre of the volume.
+// A satellite as a target: a bus with two solar panels, a dish and an engine nozzle. It consists of boxes and cylinders
+// that touch but do not overlap. Lengths in m. Body axes: the panels extend along x and face z, the dish is at +y, the
+// nozzle at -y. The origin is the centroid of the volume.
 
 #include <Eigen/Core>
 #include <array>
@@ -15,7 +15,7 @@ class Satellite {
  public:
   struct Dimensions {
     Eigen::Vector3d bus;  // edges of the bus
-    double span;          // from tip to tip of the panels, along x; more than bus.x
+    double span;          // from tip to tip of the panels, along x; must exceed bus.x
     double panel_width;   // along y
     double dish_diameter;
     bool operator==(const Dimensions&) const = default;

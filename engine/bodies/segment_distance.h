@@ -1,8 +1,7 @@
 #pragma once
-// Closest points of two segments, for contact between capsules (cable elements seen as straight cords).
-// Method: Ericson (2005), Real-Time Collision Detection, 5.1.9, with the crossing found from the common normal
-// (Lumelsky 1985, doi:10.1016/0020-0190(85)90032-8, uses the dot products alone, which lose half the digits for nearly
-// parallel segments).
+// Closest points of two segments, for contact between capsules (cords approximated by straight pieces). Method: Ericson
+// (2005), Real-Time Collision Detection, 5.1.9, but with the crossing found from the common normal. (Lumelsky 1985,
+// doi:10.1016/0020-0190(85)90032-8, uses only dot products, which lose half the digits for nearly parallel segments.)
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -20,21 +19,21 @@ struct Segment {
 struct SegmentDistance {
   double distance;         // m, >= 0
   double first_fraction;   // of the way from start to end of the first segment, in [0, 1]
-  double second_fraction;  // likewise of the second
+  double second_fraction;  // the same for the second
   Eigen::Vector3d first_point;
   Eigen::Vector3d second_point;
 };
 
 namespace detail {
 
-// Fraction along origin + f direction, 0 <= f <= 1, nearest to a point.
+// The f in [0, 1] for which origin + f direction is nearest to a point.
 inline double nearest_fraction(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
                                const Eigen::Vector3d& point) {
   const double square = symmetric_squared_norm(direction);
   return square > 0 ? std::clamp(symmetric_dot(direction, point - origin) / square, 0.0, 1.0) : 0.0;
 }
 
-// Where the first line passes nearest to the second; for parallel ones, the middle of the stretch they share.
+// Fraction of the first segment nearest to the line of the second. For parallel segments, the middle of their overlap.
 inline double crossing_fraction(const Segment& first, const Segment& second) {
   const Eigen::Vector3d u = first.end - first.start;
   const Eigen::Vector3d v = second.end - second.start;
@@ -50,13 +49,13 @@ inline double crossing_fraction(const Segment& first, const Segment& second) {
 
 }  // namespace detail
 
-// Segments may touch, cross, be parallel or shrink to points; coordinates must be finite. Where several pairs of points
-// are equally near one of them is chosen by a fixed rule: for parallel segments the middle of the stretch they share.
+// Segments may touch, cross, be parallel or be points. Coordinates must be finite. If several pairs of points are
+// equally near, a fixed rule chooses one: for parallel segments the middle of their overlap.
 inline SegmentDistance closest_points(const Segment& first, const Segment& second) {
   const Eigen::Vector3d u = first.end - first.start;
   const Eigen::Vector3d v = second.end - second.start;
   SegmentDistance result;
-  // Clamping in turn: the point of the second segment nearest to the crossing, then of the first nearest to that.
+  // First the point of the second segment nearest to the crossing, then the point of the first nearest to that.
   result.first_fraction = detail::crossing_fraction(first, second);
   result.second_fraction = detail::nearest_fraction(second.start, v, first.start + result.first_fraction * u);
   result.second_point = second.start + result.second_fraction * v;

@@ -15,7 +15,7 @@ namespace {
 using Eigen::AlignedBox3d;
 using Eigen::Vector3d;
 
-// Below this a squared length has lost its digits to underflow and gives no direction.
+// A squared length below this has lost its digits by underflow and gives no direction.
 constexpr double kSmallestSquare = std::numeric_limits<double>::min();
 
 double sign(double value) { return std::copysign(1.0, value); }
@@ -27,9 +27,9 @@ SurfacePoint nearest(const Sphere& sphere, const Vector3d& point) {
   return {distance - sphere.radius, point / distance};
 }
 
-// The face that is nearest to a point inside. `excess` is |point| less the half edges, none positive. At equal
-// distances y goes first; between x and z the choice alternates from quadrant to quadrant, so that it turns with the
-// box.
+// Axis of the face nearest to a point inside. `excess` is |point| minus the half edges; no component is positive. At
+// equal distances y has priority. Between x and z the choice alternates from quadrant to quadrant, so that quarter
+// turns rotate it with the box.
 int nearest_face_axis(const Vector3d& excess, const Vector3d& point) {
   if (excess.y() >= std::max(excess.x(), excess.z())) return 1;
   if (excess.x() == excess.z()) return point.x() * point.z() > 0 ? 0 : 2;
@@ -68,7 +68,7 @@ SurfacePoint nearest(const Cylinder& cylinder, const Vector3d& point) {
   return {flank, radial};
 }
 
-// The union's distance is the least of its parts': exact outside, a bound inside.
+// The least distance of the parts. It is exact outside their union and a bound inside.
 SurfacePoint nearest(const Satellite& satellite, const Vector3d& point) {
   SurfacePoint best{std::numeric_limits<double>::infinity(), Vector3d::UnitY()};
   for (const Satellite::Part& part : satellite.parts()) {
@@ -132,12 +132,13 @@ Vector3d half_extent(const Box& box, const Eigen::Matrix3d& rotation) {
   return symmetric_product(rotation.cwiseAbs(), 0.5 * box.size);
 }
 Vector3d half_extent(const Cylinder& cylinder, const Eigen::Matrix3d& rotation) {
-  // A disc across the unit vector a reaches R sqrt(1 - a_i^2) along axis i; its rim vectors span the other two columns.
+  // A disc perpendicular to the unit vector a extends to R sqrt(1 - a_i^2) along axis i. The other two columns of the
+  // rotation give the root without cancellation.
   const Vector3d rim = (rotation.col(0).cwiseAbs2() + rotation.col(2).cwiseAbs2()).cwiseSqrt();
   return cylinder.radius * rim + 0.5 * cylinder.length * rotation.col(1).cwiseAbs();
 }
 
-// World box round a box along body axes.
+// Box along the world axes round a box along the body axes.
 AlignedBox3d turned(const AlignedBox3d& box, const Vector3d& position, const Eigen::Matrix3d& rotation) {
   const Vector3d centre = position + rotation * box.center(), half = 0.5 * (rotation.cwiseAbs() * box.sizes());
   return {centre - half, centre + half};
@@ -167,7 +168,7 @@ double solid_volume(const Solid& solid) {
   return volume(solid);
 }
 
-// Inertia per unit of mass of the solid shape.
+// Principal moments of inertia of the solid shape per unit mass, m^2.
 Vector3d squared_gyration(const Sphere& sphere) { return Vector3d::Constant(0.4 * sphere.radius * sphere.radius); }
 Vector3d squared_gyration(const Box& box) {
   const Vector3d square = box.size.cwiseAbs2() / 12.0;
@@ -183,7 +184,7 @@ template <typename Solid>
 Eigen::Matrix3d unit_inertia(const Solid& solid) {
   return squared_gyration(solid).asDiagonal();
 }
-// Each part's own and that of its mass at its centre (Steiner's theorem).
+// Sums each part's own inertia and that of its mass at its centre (parallel axis theorem).
 Eigen::Matrix3d unit_inertia(const Satellite& satellite) {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   for (const Satellite::Part& part : satellite.parts()) {

@@ -15,7 +15,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "binary STL is little-endian");
 
 constexpr std::size_t kHeaderBytes = 80;
-constexpr std::size_t kRecordBytes = 50;  // normal, three corners, two spare bytes
+constexpr std::size_t kRecordBytes = 50;  // normal, three corners, two unused bytes
 constexpr std::size_t kFirstRecord = kHeaderBytes + 4;
 
 void add_triangle(MeshData& mesh, const std::array<Eigen::Vector3d, 3>& corners) {
@@ -30,7 +30,7 @@ std::size_t stated_triangles(std::string_view bytes) {
   return count;
 }
 
-// Programs write "solid" into binary headers too; the length does not lie.
+// Some programs write "solid" into binary headers too, so the length of the file decides.
 bool is_binary(std::string_view bytes) {
   return bytes.size() >= kFirstRecord && bytes.size() == kFirstRecord + kRecordBytes * stated_triangles(bytes);
 }
@@ -52,7 +52,7 @@ MeshData parse_binary(std::string_view bytes, double scale) {
   return mesh;
 }
 
-// Words decide, not lines: all may stand in one.
+// Parses words independently of lines, because a file may consist of a single line.
 class AsciiStl {
  public:
   AsciiStl(std::string_view text, double scale) : words_(text, '\0'), scale_(scale) {}
@@ -74,7 +74,7 @@ class AsciiStl {
     } else if (word == "solid" || word == "endsolid") {
       ended_ = ended_ || word == "endsolid";
       skip_name();
-    } else if (word == "end") {  // "end loop", also in two words
+    } else if (word == "end") {  // "end loop" may be two words
       const std::string what = lower_case(words_.next());
       if (what.empty()) words_.fail("this is not STL");
       take("end" + what);
@@ -98,7 +98,7 @@ class AsciiStl {
     count_ = 0;
   }
 
-  // A name goes to the end of the line, or until facets or another solid begin.
+  // Skips a name. It ends with the line, or where a facet or another solid begins.
   void skip_name() {
     for (std::string word = lower_case(words_.peek()); !word.empty(); word = lower_case(words_.peek())) {
       if (word == "facet" || word == "endsolid" || (ended_ && word == "solid")) return;
@@ -106,7 +106,7 @@ class AsciiStl {
     }
   }
 
-  // A normal, which corners tell better, or a colour.
+  // Skips a normal, which the corners give more accurately, or a colour.
   void skip_numbers() {
     const auto is_number = [](std::string_view word) {
       const std::string lower = lower_case(word);
@@ -124,7 +124,7 @@ class AsciiStl {
   bool ended_ = false;  // since the last facet
 };
 
-// Why bytes that are neither are not read.
+// Throws the reason why bytes that are neither binary nor ASCII STL cannot be read.
 [[noreturn]] void refuse(std::string_view bytes) {
   if (bytes.empty()) throw MeshFileError("is empty");
   if (bytes.size() < kFirstRecord) {

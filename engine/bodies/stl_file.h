@@ -7,7 +7,8 @@
 
 namespace netpocket {
 
-// Each triangle with corners of its own, coordinates times `scale`. Throws MeshFileError.
+// Reads triangles, each with corners of its own, with coordinates multiplied by `scale`. Throws MeshFileError if the
+// file cannot be read.
 MeshData parse_stl(std::string_view bytes, double scale);
 
 }  // namespace netpocket

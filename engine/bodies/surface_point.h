@@ -1,12 +1,12 @@
 #pragma once
-// Where a surface is nearest to a point.
+// Distance and normal of a surface at the place nearest to a point.
 
 #include <Eigen/Core>
 
 namespace netpocket {
 
 struct SurfacePoint {
-  double distance;         // m, signed: negative inside
+  double distance;         // m, negative inside
   Eigen::Vector3d normal;  // unit, outward, body axes
 };
 

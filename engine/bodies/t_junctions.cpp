@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Corners of open edges.
+// Corners at the ends of open edges.
 std::vector<std::int32_t> border_corners(const MeshData& mesh, const std::vector<TriangleSide>& open) {
   std::vector<std::int32_t> corners;
   for (const TriangleSide& side : open) {
@@ -24,7 +24,7 @@ std::vector<std::int32_t> border_corners(const MeshData& mesh, const std::vector
   return corners;
 }
 
-// Those of some corners that lie between the ends of an edge, from its beginning on.
+// Those of `corners` that lie between the ends of an edge, in order from its beginning.
 std::vector<std::int32_t> corners_on(const MeshData& mesh, const Triangle& triangle, int edge,
                                      const std::vector<std::int32_t>& corners, const BoxTree& tree, double tolerance) {
   const Vector3d &from = mesh.vertices[triangle[edge]], &to = mesh.vertices[triangle[(edge + 1) % 3]];
@@ -48,7 +48,7 @@ std::vector<std::int32_t> corners_on(const MeshData& mesh, const Triangle& trian
   return result;
 }
 
-// One edge of a triangle at a time: the others' turn comes in the next round.
+// Divides at most one edge of each triangle; the others are left for the next round.
 std::vector<Vector3d> split_once(MeshData& mesh, double tolerance) {
   const std::vector<TriangleSide> open = find_edges(mesh).open;
   const std::vector<std::int32_t> corners = border_corners(mesh, open);

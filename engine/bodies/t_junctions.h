@@ -1,5 +1,5 @@
 #pragma once
-// Corners that lie on the open edge of another triangle: the surfaces meet there, but no edge joins them.
+// T-junctions: corners that lie on an open edge of another triangle. The surfaces meet there, but no edge joins them.
 
 #include <Eigen/Core>
 #include <vector>
@@ -8,11 +8,11 @@
 
 namespace netpocket {
 
-// Of the extent: how near to an edge a corner lies on it.
+// A corner within this fraction of the extent from an edge lies on it.
 inline constexpr double kTJunctionTolerance = 1e-6;
 
-// Divides the triangles at such corners, so that their edges join. Corners off the edge by `tolerance` (m) are taken
-// along. The places of the corners.
+// Divides triangles at such corners, so that the edges join. A corner up to `tolerance` off the edge counts; the edge
+// then bends to the corner. Returns the places of the corners. All in the unit of the mesh.
 std::vector<Eigen::Vector3d> split_t_junctions(MeshData& mesh, double tolerance);
 
 }  // namespace netpocket

@@ -16,7 +16,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Volume, first and second moments of the tetrahedra between the origin and the triangles.
+// Sums of volume, first and second moments of the tetrahedra between the origin and the triangles.
 struct Moments {
   double volume = 0;
   Vector3d first = Vector3d::Zero();
@@ -67,7 +67,7 @@ TriangleMesh::Result TriangleMesh::restore(MeshData data) {
   if (data.triangles.empty() || data.triangles.size() > kLargestTriangleCount) {
     return fmt::format("has {} triangles, not 1 to {}", data.triangles.size(), kLargestTriangleCount);
   }
-  constexpr double kSlack = 1 + 1e-9;  // for round-off of the extent when the mesh was moved
+  constexpr double kSlack = 1 + 1e-9;  // for round-off of the extent from moving the mesh
   const double extent = mesh_extent(data);
   if (!(extent <= kSlack * kLargestMeshExtent && extent >= kSmallestMeshExtent / kSlack)) {
     return fmt::format("is {:.4g} m large, not {:g} m to {:g} m", extent, kSmallestMeshExtent, kLargestMeshExtent);
@@ -99,13 +99,13 @@ TriangleMesh::TriangleMesh(MeshData data, const MeshEdges& edges) : data_(std::m
   tree_ = TriangleTree(corners);
 }
 
-// A mesh that was centred before, and stored, is left as it is; all else follows from the centred vertices. So a run
-// goes on with the mesh in its recording to the last bit.
+// A mesh that was centred before it was stored is not moved again. All other results follow from the centred vertices.
+// So a run that continues with the mesh of its recording gives the same bits.
 void TriangleMesh::integrate() {
-  constexpr double kRoundOff = 1e-12;  // of the extent; once centred, 1e-15 is left
+  constexpr double kRoundOff = 1e-12;  // fraction of the extent; a centred mesh is off by about 1e-15
   const Vector3d offset = centre_of_mass(data_);
   if (!(offset.norm() <= kRoundOff * bounds_.sizes().maxCoeff())) {
-    // First to the middle of the mesh, so that far-away coordinates cost no digits.
+    // First moves the middle of the mesh to the origin, so that coordinates far from it lose no digits.
     const Vector3d middle = bounds_.center();
     for (Vector3d& vertex : data_.vertices) vertex -= middle;
     const Vector3d centre = centre_of_mass(data_);
@@ -141,8 +141,8 @@ void TriangleMesh::find_normals(const MeshEdges& edges) {
   edge_normals_.resize(data_.triangles.size());
   for (std::size_t t = 0; t < data_.triangles.size(); ++t) {
     for (int edge = 0; edge < 3; ++edge) {
-      const std::int32_t strain_partner = edges.strain_partners[t][edge];
-      edge_normals_[t][edge] = unit_or_zero(face_normals_[t] + face_normals_[strain_partner / 3]);
+      const std::int32_t neighbour = edges.neighbours[t][edge];
+      edge_normals_[t][edge] = unit_or_zero(face_normals_[t] + face_normals_[neighbour / 3]);
     }
   }
 }
@@ -165,13 +165,13 @@ Vector3d TriangleMesh::pseudo_normal(const TriangleHit& hit) const {
 }
 
 SurfacePoint TriangleMesh::surface_point(const Vector3d& point, const TriangleHit& hit) const {
-  // Of a point that is not finite no triangle is the nearest.
+  // A point that is not finite has no nearest triangle.
   if (hit.place < 0) return {std::numeric_limits<double>::quiet_NaN(), Vector3d::UnitY()};
   const Vector3d pseudo = pseudo_normal(hit);
   const Vector3d arm = point - hit.point;
   const double distance = std::sqrt(hit.squared_distance);
   const double side = arm.dot(pseudo) < 0 ? -1.0 : 1.0;
-  // On a face its normal is the sharpest; on the surface itself the arm has lost its direction.
+  // The normal of a face is more accurate than the arm. Very near the surface the arm has lost its direction.
   constexpr double kOnSurface = 1e-9;
   const bool keep_pseudo = hit.feature == TriangleFeature::face || distance < kOnSurface * bounding_radius_;
   return {side * distance, keep_pseudo ? pseudo : Vector3d(side / distance * arm)};

@@ -10,9 +10,9 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr std::int32_t kLeafSize = 4;
-// Deeper trees cannot arise: a node's triangles are halved each time.
+// Sufficient because each level halves the number of triangles of a node.
 constexpr std::size_t kStackSize = 64;
-// Covers the rounding of squared distances to boxes and triangles.
+// Factor that covers the rounding of squared distances to boxes and triangles.
 constexpr double kRounding = 1 + 1e-12;
 
 float below(double value) { return std::nextafter(static_cast<float>(value), -HUGE_VALF); }
@@ -22,8 +22,8 @@ TriangleHit hit_at(const Vector3d& p, const Vector3d& nearest, TriangleFeature f
   return {(p - nearest).squaredNorm(), -1, feature, nearest};
 }
 
-// Where a segment passes through a triangle, of the way from its start; negative: nowhere. Segments in the triangle's
-// plane pass through its edges or have an end inside, which others find.
+// Fraction of a segment at which it passes through a triangle; negative: nowhere. Also negative for a segment in the
+// triangle's plane: it crosses an edge or has an end inside, which nearest_to_triangle finds.
 double crossing_of(const Segment& segment, const TriangleTree::Corners& corners) {
   const Vector3d along = segment.end - segment.start;
   const Vector3d ab = corners[1] - corners[0], ac = corners[2] - corners[0];
@@ -37,7 +37,8 @@ double crossing_of(const Segment& segment, const TriangleTree::Corners& corners)
   return u >= 0 && v >= 0 && u + v <= 1 && t >= 0 && t <= 1 ? t : -1;
 }
 
-// Nearest place of a segment to a triangle: where it crosses, else at an end or at an edge of the triangle.
+// Nearest place of a segment to a triangle: the crossing, or else the best of the segment's ends and the places nearest
+// to the triangle's edges.
 SegmentHit nearest_to_triangle(const Segment& segment, const TriangleTree::Corners& corners) {
   if (const double t = crossing_of(segment, corners); t >= 0) return {t, 0};
   SegmentHit best;
@@ -93,7 +94,7 @@ TriangleTree::TriangleTree(const std::vector<Corners>& triangles) {
   for (const std::int32_t index : indices_) corners_.push_back(triangles[index]);
 }
 
-// Halves the triangles along the longest edge of the box round their centres.
+// Divides the triangles in two halves along the longest edge of the box round their centres.
 void TriangleTree::build(std::int32_t node, std::int32_t first, std::int32_t count,
                          const std::vector<Corners>& triangles, const std::vector<Vector3d>& centres) {
   Vector3d low = Vector3d::Constant(HUGE_VAL), high = -low;

@@ -32,7 +32,7 @@ Mouth measure_mouth(const Snapshot& snapshot, const std::vector<std::int32_t>& t
   return mouth;
 }
 
-// Radius of a polyline (radius, height) at a height, or a negative number above its end.
+// Radius of a polyline of points (radius, height) at a height; negative outside its heights.
 double radius_at(const std::vector<Eigen::Vector2d>& outline, double height) {
   for (std::size_t i = 0; i + 1 < outline.size(); ++i) {
     const double below = outline[i].y(), above = outline[i + 1].y();
@@ -43,8 +43,8 @@ double radius_at(const std::vector<Eigen::Vector2d>& outline, double height) {
   return -1;
 }
 
-// Whether the target's centre lies between root and mouth and nearer to the pocket's axis than the rods are there.
-// Heights and radii in the spacecraft's axes; rods as polylines through their mean root, kink and tip.
+// Whether the target's centre lies between root and mouth, and nearer to the pocket's axis than the rods at its height.
+// Heights and radii are in the spacecraft's axes. Rods are polylines through their mean root, kink and tip.
 bool target_is_inside(const Snapshot& snapshot, const Structure& structure, std::int32_t spacecraft,
                       std::int32_t target) {
   const BodyState& craft = snapshot.bodies[spacecraft];

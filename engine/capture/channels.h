@@ -8,16 +8,18 @@
 
 namespace netpocket {
 
-// Contact force of the target as a mean over the output interval, from the impulse it has received.
+// Remembers the target's contact impulse at the previous snapshot. The contact force is the mean over the output
+// interval.
 class ChannelRecorder {
  public:
   explicit ChannelRecorder(const Pocket& pocket) : spacecraft_(pocket.spacecraft), target_(pocket.target) {}
 
-  // `snapshot` holds everything but its channels, captured from `system` just now together with `energy`.
+  // Fills all channels of `snapshot`. Its other values and `energy` must just have been captured from `system`.
+  // `time_step` in s.
   void fill(Snapshot& snapshot, const Structure& structure, CableSystem& system, const EnergyAudit& energy,
             double time_step);
 
-  // Every number of the state, as in CableSystem::visit_state.
+  // Gives every number of the state to `visit`, as CableSystem::visit_state does.
   void visit_state(const std::function<void(double&)>& visit);
 
  private:

@@ -15,7 +15,7 @@
 namespace netpocket {
 namespace {
 
-// States kept at most, in bytes; then every second one goes and the interval doubles.
+// Bytes of states from which on every second one is dropped and the interval doubled.
 constexpr std::size_t kLargestMemory = 128 << 20;
 constexpr double kSameTime = 1e-9;  // s
 
@@ -26,7 +26,7 @@ Scenario valid(const ScenarioResult& result) {
   return result.scenario;
 }
 
-// The scenario of a strategy, with the files of the run's.
+// Scenario of a strategy. Files are those of the run's scenario.
 Scenario stored_strategy(const std::string& text, const FileScope& files) {
   ScenarioResult result = read_scenario_text(text, "scenario of the run");
   result.scenario.files = files;
@@ -98,7 +98,7 @@ Simulation CheckpointLog::simulation_at(double time, const std::stop_token& stop
   for (const auto& checkpoint : checkpoints_) {
     if (checkpoint->time > time + kSameTime) break;
     last = checkpoint.get();
-    // Each change is repeated in the state in which it was made, since what it does depends on that state.
+    // Each change is repeated from the state in which it was made, because its effect depends on that state.
     if (!last->changes_strategy()) continue;
     restore(simulation, *last);
     Scenario strategy = stored_strategy(last->strategy, scenario_.files);

@@ -1,7 +1,7 @@
 #pragma once
-// From where a run can be continued: its complete states at intervals and every change of strategy. The workbench keeps
-// one for each run of the session, and a recording holds one. Copies are cheap.
-// Thread contract: one thread at a time; the checkpoints themselves are shared and never change.
+// States from which a run can be continued: complete states at intervals, and every change of strategy. The workbench
+// keeps a log for each of its runs. A recording contains one. Copies are cheap: they share the checkpoints.
+// Thread contract: one thread at a time. The checkpoints themselves never change.
 
 #include <memory>
 #include <stdexcept>
@@ -16,7 +16,7 @@ namespace netpocket {
 
 class Recording;
 
-// A run that cannot be continued; one sentence says why.
+// Thrown when a run cannot be continued. The message is one sentence that says why.
 class ResumeError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -25,35 +25,37 @@ class ResumeError : public std::runtime_error {
 // Simulated time between the checkpoints of a recording.
 inline constexpr double kCheckpointInterval = 1.0;  // s
 
-// The state now. With a scenario: whose strategy takes over now, by Simulation::change_strategy after this call.
+// Checkpoint of the present state. `strategy`: scenario to be applied by Simulation::change_strategy after this call;
+// null: none.
 Checkpoint take_checkpoint(const Simulation& simulation, const Scenario* strategy = nullptr);
 
 class CheckpointLog {
  public:
   CheckpointLog() = default;
-  // Of a run that begins now: with the target's mesh as it is now.
+  // For a run that begins now. Keeps the target's mesh as it is now.
   CheckpointLog(const Scenario& scenario, const SimulationOptions& options);
-  // What of a recorded run leads to `time`: its changes of strategy and the last state before. Throws RecordingError
-  // when the file is damaged and ResumeError when its scenario is not valid here.
+  // The part of a recorded run that leads to `time` (s): its changes of strategy and the last state before `time`.
+  // Throws RecordingError when the file is damaged, and ResumeError when its scenario is not valid for this program.
   CheckpointLog(const Recording& recording, double time, const SimulationOptions& options);
 
-  // Keeps the state now, if the last one kept is long enough ago.
+  // Keeps the present state if the last checkpoint is at least an interval old (0.2 s at first). To limit memory, old
+  // states are thinned out and the interval doubles.
   void note_state(const Simulation& simulation);
-  // Keeps the state in which a strategy takes over.
+  // Keeps the state at which a strategy was changed.
   void note_change(std::shared_ptr<const Checkpoint> checkpoint);
 
-  // The scenario that the run began with, its mesh included.
+  // Scenario that the run began with, including its mesh.
   const Scenario& scenario() const { return scenario_; }
   bool changes_strategy() const;
-  // Continues to another end time (s) than the run's scenarios say.
+  // Replaces the end time of the run's scenarios by `time` (s).
   void set_end_time(double time) { end_time_ = scenario_.output.end_time = time; }
 
-  // What of the log lies before a time (s): that of a branch.
+  // The log up to a time (s), for a branch of the run.
   CheckpointLog until(double time) const;
 
-  // A simulation that has come to `time` (s, within the run): restored from the last state kept before it and stepped
-  // from there, so that it continues to the last bit as the run did. Ends early, before `time`, when stopped. Throws
-  // ResumeError when a state does not belong to the scenario.
+  // A simulation advanced to `time` (s, within the run). It is restored from the last checkpoint before `time` and
+  // stepped from there, so it continues bitwise as the run did. Ends before `time` when stopped. Throws ResumeError
+  // when a state does not belong to the scenario.
   Simulation simulation_at(double time, const std::stop_token& stop = {}) const;
 
  private:
@@ -62,8 +64,8 @@ class CheckpointLog {
   Scenario scenario_;
   SimulationOptions options_;
   std::vector<std::shared_ptr<const Checkpoint>> checkpoints_;  // in the order in which they were taken
-  double interval_ = 0.2;                                       // s, between states kept
-  double end_time_ = 0;                                         // s; 0: as the scenarios say
+  double interval_ = 0.2;                                       // s, between kept states
+  double end_time_ = 0;                                         // s; 0: that of the scenarios
 };
 
 }  // namespace netpocket

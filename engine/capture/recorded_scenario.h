@@ -7,7 +7,7 @@ namespace netpocket {
 
 class Recording;
 
-// With the target's mesh as it was recorded, so that the run can go on without the mesh's file.
+// Contains the target's mesh as recorded, so that the run can continue without the mesh file.
 ScenarioResult recorded_scenario(const Recording& recording);
 
 }  // namespace netpocket

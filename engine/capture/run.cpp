@@ -15,10 +15,10 @@
 namespace netpocket {
 namespace {
 
-// Part of an output interval: products and sums of times may be off a whole number of intervals by this much.
+// Tolerance, as a fraction of an output interval, for rounding errors in products and sums of times.
 constexpr double kRounding = 1e-6;
 
-// The times of the frames after the first: whole output intervals, and the end.
+// Times of the frames after the first: multiples of the output interval, and the end time.
 class FrameTimes {
  public:
   explicit FrameTimes(const OutputParameters& output)
@@ -29,11 +29,11 @@ class FrameTimes {
   double at(std::int64_t index) const {
     return index < count_ ? static_cast<double>(index) / output_.frame_rate : output_.end_time;
   }
-  // The first frame after a time (s).
+  // Index of the first frame after a time (s).
   std::int64_t after(double time) const {
     return static_cast<std::int64_t>(std::floor(time * output_.frame_rate + kRounding)) + 1;
   }
-  // Whether a frame ends an output interval; the last one may lie in the midst of one.
+  // Whether a frame lies at a multiple of the output interval. The last one may not.
   bool is_whole(std::int64_t index) const {
     return index < count_ || std::abs(output_.end_time * output_.frame_rate - static_cast<double>(count_)) < kRounding;
   }
@@ -43,20 +43,20 @@ class FrameTimes {
   std::int64_t count_;
 };
 
-// Records a simulation from where it is, frame by frame.
+// Records a simulation frame by frame, from its present time.
 class RecordedRun {
  public:
   RecordedRun(Simulation& simulation, BackgroundRecorder& recorder, const RunCallback& after_frame)
       : simulation_(simulation), recorder_(recorder), after_frame_(after_frame), recorded_time_(simulation.time()) {}
 
-  // At the start of a run.
+  // For a run from its start.
   void record_start() {
-    // In this order: the first frame gives the recording its name, and from then on it must be resumable.
+    // The checkpoint comes first: the recording gets its name with the first frame and must be resumable from then on.
     record_checkpoint();
     record_state();
   }
 
-  // Returns how it ended.
+  // Returns how the run ended.
   RunStatus record_frames(const std::stop_token& stop) {
     const FrameTimes frames(simulation_.scenario().output);
     next_checkpoint_ = simulation_.time() + kCheckpointInterval;
@@ -90,10 +90,10 @@ class RecordedRun {
   const RunCallback& after_frame_;
   Clock::time_point start_ = Clock::now();
   double next_checkpoint_ = 0;  // s
-  double recorded_time_;        // s, of the last frame
+  double recorded_time_;        // s, time of the last frame
 };
 
-// A storage failure must not hide how the run ended.
+// A storage failure here must not hide how the run ended.
 void finish(BackgroundRecorder& recorder, RunResult& result) {
   try {
     recorder.finish(result.status, result.statistics);
@@ -120,7 +120,7 @@ RunResult record(Simulation& simulation, BackgroundRecorder& recorder, bool from
   return result;
 }
 
-// Begins a recording with what another one holds up to a time (s).
+// Begins a recording with the frames and checkpoints of another one up to a time (s).
 void copy_until(const Recording& source, double time, BackgroundRecorder& recorder) {
   const auto is_before = [time](double t) { return t <= time + kRounding; };
   for (std::size_t i = 0; i < source.frame_count() && is_before(source.times()[i]); ++i)
@@ -180,7 +180,7 @@ RunResult resume_recording(const std::string& source, const std::string& path, c
   BackgroundRecorder recorder(path, origin, simulation.structure(), options.overwrite);
   recorder.hold_back(recorded.frame_count());
   copy_until(recorded, time, recorder);
-  // The last of several strategies holds the end time.
+  // A log with changes of strategy needs one more: its last strategy determines the end time.
   if (end_time > 0 && log.changes_strategy()) recorder.write(take_checkpoint(simulation, &simulation.scenario()));
   return record(simulation, recorder, false, after_frame, stop);
 }

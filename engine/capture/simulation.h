@@ -1,7 +1,7 @@
 #pragma once
-// Steps a capture in time. Owns the whole state.
+// Steps a capture in time. Owns the complete state of the run.
 // Thread contract: one thread at a time; nothing is shared with other objects. `advance` may use several threads
-// inside; the result is the same for any number, to the last bit.
+// inside. The result is bitwise the same for any number of threads.
 
 #include <functional>
 #include <memory>
@@ -23,7 +23,7 @@ struct SimulationOptions {
 
 class Simulation {
  public:
-  // The scenario must be valid (see check_scenario).
+  // The scenario must be valid: check_scenario reports no errors.
   explicit Simulation(const Scenario& scenario, const SimulationOptions& options = {});
   ~Simulation();
   Simulation(Simulation&&) noexcept;
@@ -33,26 +33,27 @@ class Simulation {
   const Structure& structure() const;
   double time() const;  // s
 
-  // Steps to `until` (s) or until stopped or diverged. When it diverges the state is the last sound one, and the status
-  // says which step led to which cable's, contact's or body's failure from there. Step boundaries do not depend on
-  // `until`'s subdivision into output frames: frames are a whole number of steps.
+  // Steps to `until` (s), or until `stop` is requested or the run diverges. On divergence the state is set back to the
+  // last sound one. The status then says which step failed, and which cable, contact or body. Steps do not depend on
+  // how calls of advance divide the time: an output interval is a whole number of steps.
   RunStatus advance(double until, const std::stop_token& stop = {});
 
-  // The state now. Averages in its channels (contact force) run since the previous call.
+  // The present state. Channels that are averages (contact force) are means since the previous call.
   Snapshot snapshot();
 
-  // Lets the strategy of another scenario act from now on: closing, towing, station keeping, contact friction, the
-  // rods' pressure and the end time. Each goes over from what is so that nothing jumps (closing_transition.h, towing.h,
-  // material_changes.h). Returns the keys of parameters that differ besides these: they need a new Simulation.
+  // Applies the strategy of another scenario from now on: closing, towing, station keeping, contact friction, the rods'
+  // pressure and the end time. Each changes gradually, without jumps (closing_transition.h, towing.h,
+  // material_changes.h). Returns the keys of all other parameters that differ. These are not applied: they need a new
+  // Simulation.
   std::vector<std::string> change_strategy(const Scenario& scenario);
 
-  // The complete state as numbers, and back: a Simulation of the present scenario(), which holds the strategy that acts
-  // now, continues from it to the last bit. Throws std::invalid_argument when the size does not fit or the state is not
-  // sound.
+  // Saves and restores the complete state as numbers. To be restored into a Simulation of the same scenario(), which
+  // includes the strategy now in force. It then continues bitwise as the original did. Throws std::invalid_argument
+  // when the size does not fit or the state is not sound.
   std::vector<double> checkpoint() const;
   void restore(std::span<const double> state);
 
-  RunStatistics statistics() const;  // wall and cpu seconds are those spent in advance()
+  RunStatistics statistics() const;  // wall and CPU seconds are those spent in advance()
 
  private:
   struct Impl;

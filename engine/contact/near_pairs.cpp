@@ -10,13 +10,13 @@ namespace {
 using Eigen::AlignedBox3d;
 using Eigen::Vector3d;
 
-// Of elements, entries or pairs that a thread takes at once.
+// Number of elements, entries or pairs that a thread takes at once.
 constexpr int kRange = 1024;
 
-// Sorts pairs of indices below `count`: by counting the first ones, then each short run by its second ones.
+// Sorts pairs of indices below `count`: by a counting sort on the first index, then each short run by the second.
 std::vector<std::pair<int, int>> sorted(const std::vector<std::pair<int, int>>& pairs, std::size_t count,
                                         const DividedLoop& loop) {
-  std::vector<std::size_t> end(count + 1, 0);  // of the pairs that begin with each index, from the second place on
+  std::vector<std::size_t> end(count + 1, 0);  // end[i + 1]: end of the pairs whose first index is i
   for (const auto& [first, second] : pairs) ++end[static_cast<std::size_t>(first) + 1];
   for (std::size_t i = 0; i < count; ++i) end[i + 1] += end[i];
   std::vector<std::size_t> next(end.begin(), end.end() - 1);
@@ -31,10 +31,10 @@ std::vector<std::pair<int, int>> sorted(const std::vector<std::pair<int, int>>& 
   return result;
 }
 
-// Pairs of boxes within `margin` of each other along every axis. Boxes stand in all columns (along x) of a grid in y
-// and z that they reach into; in each column a sweep along x (Cohen, Lin, Manocha & Ponamgi 1995,
-// doi:10.1145/199404.199437) finds its pairs, and that in which the lower corner of both boxes' common part lies names
-// them.
+// Finds the pairs of boxes within `margin` of each other along every axis. A grid in y and z divides space into columns
+// along x. A box is entered in every column that it reaches into. In each column a sweep along x (Cohen, Lin, Manocha &
+// Ponamgi 1995, doi:10.1145/199404.199437) finds the pairs. A pair that meets in several columns is reported only by
+// the one that contains the lower corner of the boxes' common part.
 class NearPairs {
  public:
   NearPairs(std::span<const AlignedBox3d> boxes, double margin, const DividedLoop& loop)
@@ -47,7 +47,8 @@ class NearPairs {
     }
     if (boxes.empty()) return;
     const double mean = sizes.mean() / static_cast<double>(boxes.size());
-    // Columns fit the many boxes; a few that reach far, as in a state that flies apart, must not stand in too many.
+    // The column size fits most boxes. The other terms bound the number of columns for a few long boxes, as in a
+    // diverging state.
     cell_ = std::max({kSizesOfAColumn * mean + margin, std::max(largest.y(), largest.z()) / kMostColumnsOfABox,
                       std::max(all_.sizes().y(), all_.sizes().z()) / kMostColumns});
     layers_ = cell(all_.max().z() + margin, 2) + 1;
@@ -65,11 +66,12 @@ class NearPairs {
 
  private:
   using Pair = std::pair<int, int>;
-  static constexpr double kSizesOfAColumn = 3.5;  // of the boxes' mean one: few stand in two, few tests are in vain
+  // Column size over the mean size of boxes: few boxes are in two columns, and few tests find no pair.
+  static constexpr double kSizesOfAColumn = 3.5;
   static constexpr double kMostColumns = 1e6, kMostColumnsOfABox = 16;  // along an axis
   static constexpr double kLeastSize = std::numeric_limits<double>::min();
-  static constexpr int kBitsAlong = 24;  // of a place; the others hold its column
-  // Where the lower end of a box is: column, then how far along x. Integers are quick to sort.
+  static constexpr int kBitsAlong = 24;  // bits of a place for x; the others hold the column
+  // Place of the lower end of a box: the column, then the position along x, as one integer that is quick to sort.
   struct Entry {
     std::uint64_t place;
     int index;
@@ -95,7 +97,7 @@ class NearPairs {
     }
   }
 
-  // Parts of the entries, then ever longer ones.
+  // Merge sort: sorts eight parts of the entries, then merges neighbouring parts.
   void sort_entries(const DividedLoop& loop) {
     constexpr int kParts = 8;
     const auto begin_of = [&](int part) {
@@ -113,7 +115,7 @@ class NearPairs {
     }
   }
 
-  // With the first of a pair among these entries.
+  // Finds the pairs whose first box is among the entries [first, last).
   void find_pairs(int first, int last, std::vector<Pair>& found) const {
     for (auto a = entries_.begin() + first; a != entries_.begin() + last; ++a) {
       const AlignedBox3d& one = box(a->index);
@@ -128,7 +130,8 @@ class NearPairs {
     }
   }
 
-  // Of a box from `low` to `high`, which includes the margin. All comparisons at once: none can be predicted.
+  // Whether a box from `low` to `high`, where `high` includes the margin, is near another. It evaluates all comparisons
+  // without branches, because the processor cannot predict them.
   bool are_near(const Vector3d& low, const Vector3d& high, const AlignedBox3d& other) const {
     const auto bit = [](bool value) { return static_cast<unsigned>(value); };
     const Vector3d &from = other.min(), &to = other.max();

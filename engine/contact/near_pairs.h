@@ -1,5 +1,5 @@
 #pragma once
-// Which of many boxes are near each other. World frame, m.
+// Finds the pairs of boxes that are near each other. World frame, m.
 
 #include <Eigen/Geometry>
 #include <span>
@@ -10,8 +10,9 @@
 
 namespace netpocket {
 
-// Pairs of boxes that are within `margin` of each other along every axis, smaller index first, ascending. Neighbours in
-// a net always are. Threads may share the loops; the answer does not depend on them. Boxes must be finite.
+// Pairs of boxes that are within `margin` (m) of each other along every axis. Each pair has its smaller index first;
+// the pairs are in ascending order. Neighbours in a net are always among them. Threads may share the loops; the result
+// does not depend on them. Boxes must be finite.
 std::vector<std::pair<int, int>> near_pairs(std::span<const Eigen::AlignedBox3d> boxes, double margin,
                                             const DividedLoop& loop = undivided_loop);
 

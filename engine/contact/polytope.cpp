@@ -13,18 +13,18 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Sides of the prism that stands for a cylinder: its flank is at most 0.0012 radii inside the cylinder's.
+// Number of sides of the prism that represents a cylinder. Its flank is at most 0.0012 radii inside the cylinder's.
 constexpr int kSides = 64;
-// Part of the smaller solid's radius by which an overlap along a product of edges must be less than along any face's
-// normal to be taken.
+// An overlap along a product of edges is taken only if it is less than that along any face's normal by this fraction of
+// the smaller solid's radius.
 constexpr double kPreference = 0.01;
-// Part of that radius by which a corner may lie outside a face's side and still counts as inside: aligned solids.
+// A corner outside a side of a face by up to this fraction of that radius counts as inside, for aligned solids.
 constexpr double kAligned = 1e-9;
-// Square of the sine between edges below which they have no product.
+// Edges count as parallel if the square of the sine between them is below this.
 constexpr double kParallelEdges = 1e-12;
 
-// Unit vectors (cosine, sine) of evenly spread angles from 0 on, by bisection: what a quarter turn brings to each other
-// is equal to the last bit, on any processor.
+// Unit vectors (cosine, sine) of evenly spaced angles from 0 on, by bisection. So a quarter turn maps the vectors onto
+// each other to the last bit, on any processor.
 std::vector<Eigen::Vector2d> unit_circle(int count) {
   std::vector<Eigen::Vector2d> points = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
   while (static_cast<int>(points.size()) < count) {
@@ -82,7 +82,7 @@ void Polytope::add_face(const std::vector<std::int32_t>& corners, bool curved) {
   for (std::size_t i = 0; i < corners.size(); ++i) add_edge(corners[i], corners[(i + 1) % corners.size()]);
 }
 
-// Each edge comes from two faces, once in each direction.
+// Each edge belongs to two faces, once in each direction; only one is added.
 void Polytope::add_edge(std::int32_t begin, std::int32_t end) {
   if (begin > end) return;
   const Vector3d direction = unit(vertices_[end] - vertices_[begin]);
@@ -102,19 +102,19 @@ double Polytope::half_width(const Vector3d& normal) const {
 
 namespace {
 
-// What may separate the two solids, or is the normal along which they overlap.
+// Axis that separates the two solids, or along which they overlap.
 struct Axis {
   double separation = -std::numeric_limits<double>::infinity();  // m
   Vector3d normal = Vector3d::UnitY();                           // from the second to the first, in the second's axes
-  std::size_t face = 0;                                          // of which it is the normal, if so
+  std::size_t face = 0;                                          // whose normal it is, for axes of faces
 };
 
 // Corner of a face that is being clipped.
 struct Corner {
   Vector3d point;
   double weight;
-  bool own_edge;  // the edge to the next corner is one of the face's, not one that clipping made
-  bool own;       // the corner is one of the face's
+  bool own_edge;  // whether the edge to the next corner belongs to the face, not to the clipping
+  bool own;       // whether it is a corner of the face, not made by clipping
 };
 
 class Pair {
@@ -152,7 +152,7 @@ class Pair {
     best = {separation, along < 0 ? Vector3d(-direction) : direction, face};
   }
 
-  // Of the flat or the curved faces that look at the other solid.
+  // Tests the normals of the flat or the curved faces that face the other solid.
   void consider_faces(const Polytope& solid, bool is_first, bool curved, Axis& best) const {
     for (std::size_t i = 0; i < solid.faces().size(); ++i) {
       const Polytope::Face& face = solid.faces()[i];
@@ -191,7 +191,7 @@ class Pair {
     return &solid == &first_ ? place_.direction(face.normal) : face.normal;
   }
 
-  // The face of `solid` that looks most against a direction.
+  // The face of `solid` whose normal is most opposed to a direction.
   const Polytope::Face& opposite_face(const Polytope& solid, const Vector3d& direction) const {
     const Polytope::Face* best = nullptr;
     double least = std::numeric_limits<double>::infinity();
@@ -204,7 +204,7 @@ class Pair {
     return *best;
   }
 
-  // What is left of a convex polygon on the inner side of a plane (Sutherland & Hodgman 1974).
+  // The part of a convex polygon on the inner side of a plane (Sutherland & Hodgman 1974).
   std::vector<Corner> clip(const std::vector<Corner>& polygon, const Vector3d& outward, const Vector3d& on_plane,
                            double weight) const {
     std::vector<Corner> left;
@@ -218,15 +218,15 @@ class Pair {
       if (inside == next_inside) continue;
       const double part = std::clamp(out_here / (out_here - out_next), 0.0, 1.0);
       const Vector3d point = here.point + part * (next.point - here.point);
-      // Where the other solid's own edge crosses the side, or a corner of the face below.
+      // The new corner is where an edge of the other solid crosses the side, or a corner of the reference face.
       const double its_weight = here.own_edge ? std::max(weight, here.weight) : weight;
       left.push_back({point, its_weight, next_inside && here.own_edge, false});
     }
     return left;
   }
 
-  // As corners of a face, the greatest depth being `least` (m). False where less than half of that is left below the
-  // face: there the two touch beside it.
+  // Adds the corners below a face as contact points, shifted so that the greatest depth is `least` (m). False if their
+  // greatest depth was less than half of `least`: then the solids touch beside the face.
   bool touch_face(const Axis& axis, bool is_of_first, double least, std::vector<Touch>& touches) const {
     const Polytope& reference = is_of_first ? first_ : second_;
     const Polytope& other = is_of_first ? second_ : first_;
@@ -239,7 +239,7 @@ class Pair {
     for (std::size_t i = 0; i < face.corners.size() && !corners.empty(); ++i) {
       corners = clip(corners, side(reference, face, i), vertex(reference, face.corners[i]), reference.weight());
     }
-    // What is below the face also beside the opposite one: round a rim.
+    // Vertices may lie below the face without belonging to the opposite face, e.g. round a rim.
     std::erase_if(corners, [](const Corner& corner) { return corner.own; });
     add_vertices_within(other, reference, face, corners);
     const Vector3d on_face = vertex(reference, face.corners[0]);
@@ -254,14 +254,14 @@ class Pair {
     return true;
   }
 
-  // Outward normal of the plane through a side of a face, across the face.
+  // Outward unit normal of the plane through a side of a face and perpendicular to the face.
   Vector3d side(const Polytope& solid, const Polytope::Face& face, std::size_t index) const {
     const Vector3d here = vertex(solid, face.corners[index]);
     const Vector3d next = vertex(solid, face.corners[(index + 1) % face.corners.size()]);
     return unit((next - here).cross(normal_of(solid, face)));
   }
 
-  // Vertices of `solid` below a face of the other one and within its sides.
+  // Adds the vertices of `solid` that are below a face of the other solid and within its sides.
   void add_vertices_within(const Polytope& solid, const Polytope& other, const Polytope::Face& face,
                            std::vector<Corner>& corners) const {
     const Vector3d outward = normal_of(other, face);
@@ -278,7 +278,7 @@ class Pair {
     }
   }
 
-  // The edge that reaches farthest in a direction; of several the first.
+  // The edge that reaches farthest in a direction; if several do, the first.
   Segment farthest_edge(const Polytope& solid, const Vector3d& direction) const {
     Segment best{Vector3d::Zero(), Vector3d::Zero()};
     double most = -std::numeric_limits<double>::infinity();
@@ -302,8 +302,8 @@ class Pair {
 
   const Polytope &first_, &second_;
   const Placement& place_;
-  Vector3d between_;  // of the centres, from the second to the first
-  double size_;       // m, of the smaller one
+  Vector3d between_;  // m, from the centre of the second to that of the first
+  double size_;       // m, radius of the smaller one
 };
 
 }  // namespace

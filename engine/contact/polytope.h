@@ -1,16 +1,18 @@
 #pragma once
-// Convex solids as polytopes, and where two of them overlap: boxes exactly, cylinders as prisms inscribed in them.
+// Convex solids as polytopes, and the contact points of two that overlap. A box is represented exactly, a cylinder by
+// an inscribed prism.
 //
-// Overlap by separating axes (Gottschalk, Lin & Manocha 1996, OBBTree, SIGGRAPH; Ericson 2005, Real-Time Collision
-// Detection, 5.2.1): the normals of both solids' faces and the products of their edges. Where no axis separates them,
-// the one of least overlap d is the normal of contact. Along a face's normal the opposite face of the other solid is
-// clipped to that face, and each corner that is left below it touches: so level faces are held at their corners. Along
-// a product of edges the two edges touch where they are nearest to each other. Among axes whose overlaps are nearly
-// equal a face's is taken, its plane shifted so that d is the greatest depth: faces that are all but level touch as
-// faces, and what touches for the first time does so at depth 0.
+// Overlap is tested by separating axes (Gottschalk, Lin & Manocha 1996, OBBTree, SIGGRAPH; Ericson 2005, Real-Time
+// Collision Detection, 5.2.1): the normals of both solids' faces and the cross products of their edges. If no axis
+// separates the solids, the axis of least overlap d is the contact normal.
+// - Normal of a face: the opposite face of the other solid is clipped to that face, and each remaining corner below it
+//   is a contact point. So parallel faces touch at their corners.
+// - Product of edges: the two edges touch where they are nearest to each other.
+// If the overlaps of several axes are nearly equal, a face's normal is taken, and its plane is shifted so that d is the
+// greatest depth. So nearly parallel faces touch as faces, and a new contact begins at depth 0.
 //
-// Both solids are symmetric about their centres, which gives every axis one sign. Results turn with the solids in
-// quarter turns about y to the last bit (symmetric_algebra.h). Lengths in m.
+// Both solids are symmetric about their centres, so only one sign of every axis needs a test. If the solids are rotated
+// by a quarter turn about y, the results are rotated with them to the last bit (symmetric_algebra.h). Lengths in m.
 
 #include <Eigen/Core>
 #include <array>
@@ -26,9 +28,9 @@ class Polytope {
  public:
   struct Face {
     Eigen::Vector3d normal;             // unit, outward
-    double offset;                      // m, of its plane from the centre
+    double offset;                      // m, distance of its plane from the centre
     std::vector<std::int32_t> corners;  // counter-clockwise seen from outside
-    bool curved;                        // stands for a part of a curved surface
+    bool curved;                        // whether it represents a part of a curved surface
   };
   // Parallel edges.
   struct EdgeClass {
@@ -42,12 +44,12 @@ class Polytope {
   const std::vector<Eigen::Vector3d>& vertices() const { return vertices_; }
   const std::vector<Face>& faces() const { return faces_; }
   const std::vector<EdgeClass>& edge_classes() const { return edge_classes_; }
-  const Eigen::Vector3d& centre() const { return centre_; }  // of symmetry
-  // Half the width across planes with this unit normal, m.
+  const Eigen::Vector3d& centre() const { return centre_; }  // centre of symmetry
+  // Half the width (m) of the solid along this unit normal.
   double half_width(const Eigen::Vector3d& normal) const;
-  double radius() const { return radius_; }  // of the smallest sphere about the centre, m
-  // Share of the contact stiffness that one corner has: 1 of a box, 8/n of the n corners of a prism, so that its end
-  // is no stiffer than a box's face.
+  double radius() const { return radius_; }  // m, of the smallest sphere about the centre
+  // Share of the contact stiffness of one corner. It is 1 for a box and 8/n for a prism with n corners, so that the end
+  // of a prism is no stiffer than a face of a box.
   double weight() const { return weight_; }
 
  private:
@@ -55,7 +57,7 @@ class Polytope {
   void add_edge(std::int32_t begin, std::int32_t end);
 
   std::vector<Eigen::Vector3d> vertices_;
-  std::vector<Eigen::Vector3d> half_vertices_;  // one of each two opposite ones, from the centre
+  std::vector<Eigen::Vector3d> half_vertices_;  // one of each opposite pair, relative to the centre
   std::vector<Face> faces_;
   std::vector<EdgeClass> edge_classes_;
   Eigen::Vector3d centre_;
@@ -63,8 +65,8 @@ class Polytope {
   double weight_ = 1;
 };
 
-// Appends where `first` touches `second`, in the second's axes, and returns a lower bound of their distance (m), which
-// is the least overlap, negative, where they touch. `place`: the first one's axes in the second's.
+// Appends the contact points of `first` and `second`, in the axes of `second`. Returns a lower bound of their distance
+// (m); if they overlap, minus the least overlap. `place`: the axes of `first` in those of `second`.
 double find_touches(const Polytope& first, const Placement& place, const Polytope& second, std::vector<Touch>& touches);
 
 }  // namespace netpocket

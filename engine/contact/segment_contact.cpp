@@ -11,14 +11,14 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Uncertainty (m) of the nearest distance at which the search ends: a thousandth of the depths that contact has.
+// Uncertainty (m) of the nearest distance at which the search ends: a thousandth of usual depths.
 constexpr double kTolerance = 1e-8;
 constexpr int kMostTrials = 40;
 
 Vector3d point_at(const Segment& segment, double t) { return segment.start + t * (segment.end - segment.start); }
 
 struct Trial {
-  double t, distance, slope;  // slope: of the distance, m per unit of t
+  double t, distance, slope;  // slope of the distance, m per unit of t
   Vector3d normal;
 };
 
@@ -34,9 +34,9 @@ using Ends = std::array<const SurfacePoint*, 2>;
 
 SegmentPlace place_of(const Trial& trial) { return {trial.t, trial.distance, trial.normal}; }
 
-// The nearest place of a segment to a convex solid whose distance falls at `low` and rises at `high`: by the
-// intersection of the tangents there, which bounds the distance from below, and by the secant of the slopes in turn,
-// which is quick where the distance is smooth.
+// The nearest place of a segment to a convex solid whose distance falls at `low` and rises at `high`. It tries in turn
+// the intersection of the tangents, which bounds the distance from below, and the zero of the secant of the slopes,
+// which converges fast where the distance is smooth.
 SegmentContact search_between(const ContactPart& part, const Segment& segment, double reach, Trial low, Trial high) {
   SegmentContact result;
   result.at_ends = {low.distance, high.distance};
@@ -103,8 +103,8 @@ SegmentContact nearest_to_sphere(const ContactPart& part, double radius, const S
   return result;
 }
 
-// The triangle nearest to the piece tells where the axis is nearest while it is outside; where it has entered the mesh
-// the deepest of a few places counts. The start's own distance bounds how far the search must go.
+// Outside the mesh, the triangle nearest to the piece gives the nearest place. If the axis has entered the mesh, the
+// deepest of a few places is taken. The distance of the start bounds the search.
 SegmentContact nearest_to_mesh(const ContactPart& part, const TriangleMesh& mesh, const Segment& segment,
                                const Ends& ends, double reach) {
   constexpr int kPieces = 8;
@@ -147,13 +147,14 @@ SegmentContact nearest_on_segment(const ContactPart& part, const Segment& segmen
 
 namespace {
 
-// A place behind or before the nearest one, and its depth.
+// A place other than the nearest one, and the depth there.
 struct DepthAt {
   double t, depth;
 };
 
-// With d = a + s x + c x^2 and the weight m + b x, x from the nearest place, weight d^2.5 is largest where
-// b d + 2.5 (m + b x) d' = 0. The parabola goes through `known`, which is on the side of the larger weight.
+// Let x be measured from the nearest place, the depth be d = a + s x + c x^2 and the weight m + b x. Then
+// weight * d^2.5 is largest where b d + 2.5 (m + b x) d' = 0. The parabola passes through `known`, which is on the side
+// of the larger weight.
 WeightedPlace deepest_of_parabola(const SegmentContact& contact, double radius, const PieceWeight& weight,
                                   const DepthAt& known) {
   const double from = contact.nearest.t, depth = radius - contact.nearest.distance;
@@ -164,7 +165,7 @@ WeightedPlace deepest_of_parabola(const SegmentContact& contact, double radius, 
   const double square = 6 * rise * bend, linear = 3.5 * rise * slope + 5 * here * bend;
   const double constant = rise * depth + 2.5 * here * slope;
   const double root = std::sqrt(std::max(linear * linear - 4 * square * constant, 0.0));
-  const double largest = 2 * constant / (root - linear);  // infinite where the depth does not change
+  const double largest = 2 * constant / (root - linear);  // infinite if the depth is constant
   const double end = (rise > 0 ? 1 : 0) - from;
   const double x = std::isnan(largest) ? 0 : std::clamp(largest, std::min(end, 0.0), std::max(end, 0.0));
   return {std::clamp(from + x, 0.0, 1.0), here + rise * x, depth + slope * x + bend * x * x, x == 0};
@@ -184,7 +185,7 @@ WeightedPlace estimate_deepest(const SegmentContact& contact, double radius, con
 SegmentPlace find_deepest(const ContactPart& part, const Segment& segment, const SegmentContact& contact, double radius,
                           const PieceWeight& weight) {
   constexpr int kMostParabolas = 6;
-  constexpr double kCloseEnough = 0.02;  // of the depth
+  constexpr double kCloseEnough = 0.02;  // fraction of the depth at the nearest place
   DepthAt known = at_heavier_end(contact, radius, weight);
   for (int i = 0; i < kMostParabolas; ++i) {
     const WeightedPlace place = deepest_of_parabola(contact, radius, weight, known);

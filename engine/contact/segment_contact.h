@@ -1,12 +1,13 @@
 #pragma once
-// Where a straight piece of a cord's axis meets a solid, from one end (t = 0) to the other (t = 1). Body axes, m.
+// Finds the point of a straight piece of a cord's axis that is nearest to a solid. t is 0 at one end of the piece and 1
+// at the other. Body axes, m.
 //
-// The signed distance of a convex solid is a convex function along a straight line, and its slope is the outward normal
-// times the line's direction. So two tangents bound it from below (Kelley 1960, doi:10.1137/0108053): the search ends
-// with the nearest place, or with a bound that proves that there is no contact. A mesh is asked for the triangle that
-// is nearest to the whole piece. Nothing that lies between two places can be missed.
+// The signed distance of a convex solid is a convex function along a straight line. Its slope is the outward normal
+// times the line's direction. So two tangents bound the distance from below (Kelley 1960, doi:10.1137/0108053). The
+// search ends with the nearest place, or with a bound that proves that there is no contact. For a mesh, the triangle
+// nearest to the whole piece is found. So no contact between the sampled places is missed.
 //
-// Pure functions; answers do not depend on what was asked before.
+// Pure functions: any thread may call them.
 
 #include <Eigen/Core>
 #include <array>
@@ -19,49 +20,52 @@ namespace netpocket {
 struct SegmentPlace {
   double t = 0;         // in [0, 1]
   double distance = 0;  // m, signed, of the axis from the surface
-  // The gradient of the distance: outward, of unit length but where two faces are equally near to an axis inside the
-  // solid. There it is that mean of both which is across the piece, as the gradient of the nearest distance is.
+  // Gradient of the distance, outward. It has unit length, except inside the solid where two faces are equally near.
+  // There it is the weighted mean of both faces' normals that is perpendicular to the piece, because it is the gradient
+  // of the nearest distance.
   Eigen::Vector3d normal = Eigen::Vector3d::UnitY();
 };
 
-// A piece and what is known of it.
+// Result of the search on a piece.
 struct SegmentContact {
-  // The signed distance at the nearest place (m), or a lower bound of it where that is more than `reach`.
+  // Signed distance (m) at the nearest place, or a lower bound of it that exceeds `reach`.
   double distance = 0;
-  bool is_near = false;  // whether the following is known
+  bool is_near = false;  // whether distance <= reach; only then all of the following members are set
   SegmentPlace nearest;
   std::array<double, 2> at_ends = {};  // m, signed distances
-  std::array<double, 2> slopes = {};   // of the distance before and behind the nearest place, m per unit of t
+  std::array<double, 2> slopes = {};   // of the distance before and after the nearest place, m per unit of t
 };
 
-// The nearest place of a piece to a part, if it is nearer than `reach` (m). `ends`: the surface nearest to its ends.
+// Finds the nearest place of a piece to a part if it is within `reach` (m). `ends`: nearest surface points (body axes)
+// of the start and the end of the piece; not null.
 SegmentContact nearest_on_segment(const ContactPart& part, const Segment& segment,
                                   const std::array<const SurfacePoint*, 2>& ends, double reach);
 
-// A weight that goes linearly from one end of a piece to the other.
+// A weight that varies linearly along a piece.
 struct PieceWeight {
   double at_start, at_end;
   double at(double t) const { return at_start + t * (at_end - at_start); }
 };
 
-// The place in a piece where weight * depth^2.5 is largest, depth = radius - distance.
+// The place of a piece where weight * depth^2.5 is largest, with depth = radius - distance.
 struct WeightedPlace {
   double t = 0;
   double weight = 0;
   double depth = 0;         // m
-  bool is_nearest = false;  // whether that is the nearest place itself
+  bool is_nearest = false;  // whether it is the nearest place itself
 
-  // Grows with weight * depth^2.5.
+  // Square of weight * depth^2.5, for comparisons.
   double score() const { return weight * weight * ((depth * depth) * (depth * depth) * depth); }
 };
 
-// An estimate of it: from the nearest place, where the depth must be positive, the depth is followed as a parabola to
-// the end with the larger weight. Nearly exact for a sphere much larger than the piece.
+// Estimates that place. It approximates the depth by a parabola from the nearest place, where the depth must be
+// positive, to the end with the larger weight. Nearly exact for a sphere much larger than the piece. Requires
+// contact.is_near.
 WeightedPlace estimate_deepest(const SegmentContact& contact, double radius, const PieceWeight& weight);
 
-// That place, and the surface there: the parabola goes through ever nearer places until the depth is what it says.
-// For an edge, where the depth is positive in a few millimetres, it is the nearest place but for some micrometres. Off
-// the best place by x, the value is off by x^2.
+// Finds that place and the surface there. It fits the parabola to nearer and nearer places until the depth agrees with
+// it. At an edge, where the depth is positive over a few millimetres only, the result is the nearest place, to within
+// some micrometres. An error x of the place causes an error of the order x^2 of the value. Requires contact.is_near.
 SegmentPlace find_deepest(const ContactPart& part, const Segment& segment, const SegmentContact& contact, double radius,
                           const PieceWeight& weight);
 

@@ -13,9 +13,9 @@ namespace {
 using Eigen::Vector3d;
 using Part = TouchableShape::Part;
 
-// Part of the smaller shape's radius within which features of meshes are kept.
+// Features of meshes within this fraction of the smaller shape's radius are kept.
 constexpr double kMargin = 0.05;
-// Square of the sine between edges below which they do not cross.
+// Edges do not cross if the square of the sine between them is below this.
 constexpr double kParallelAxes = 1e-6;
 
 Part make_part(const Shape& solid, const Vector3d& centre) {
@@ -27,14 +27,14 @@ Part make_part(const Shape& solid, const Vector3d& centre) {
   return part;
 }
 
-// The first one's axes in the second's.
+// Axes of `first` in those of `second`.
 Placement relative(const Placement& first, const Placement& second) {
   Placement place{second.own_point(first.position), {}};
   for (int i = 0; i < 3; ++i) place.rotation.col(i) = second.own_direction(first.rotation.col(i));
   return place;
 }
 
-// The second one's axes in the first's.
+// The inverse placement: axes of the second in those of the first.
 Placement inverse(const Placement& place) {
   return {-symmetric_transposed_product(place.rotation, place.position), place.rotation.transpose()};
 }
@@ -43,12 +43,13 @@ Touch turned_over(const Touch& touch, const Placement& place) {
   return {place.point(touch.point), -place.direction(touch.normal), touch.depth, touch.weight};
 }
 
-// A sphere against anything, in the other's axes: the distance of their surfaces (m), and the touch if it is negative.
+// A sphere against another part, in the axes of that part. Returns the distance of their surfaces (m) and appends a
+// touch if it is negative.
 double find_of_sphere(const Sphere& sphere, const Vector3d& centre, const Part& other, std::vector<Touch>& touches) {
   const SurfacePoint surface = other.nearest(centre);
   const double distance = surface.distance - sphere.radius;
   if (distance < 0) {
-    // In the middle of the overlap.
+    // The point is in the middle of the overlap.
     touches.push_back({centre - (sphere.radius + 0.5 * distance) * surface.normal, surface.normal, -distance, 1});
   }
   return distance;
@@ -73,7 +74,7 @@ ShapePair::ShapePair(const TouchableShape& first, const TouchableShape& second)
       margin_(kMargin * std::min(first.radius(), second.radius())),
       meshes_(first.parts().size() * second.parts().size()) {}
 
-// Of any point of the first shape in the second's axes, at most, m.
+// Upper bound (m) of the motion of any point of the first shape in the second's axes.
 double ShapePair::way_since(const Placement& before, const Placement& now) const {
   return (now.position - before.position).norm() + (now.rotation - before.rotation).norm() * first_.radius();
 }
@@ -83,7 +84,7 @@ void ShapePair::find(const Placement& first, const Placement& second, std::vecto
   const double reach = first_.radius() + second_.radius();
   if (!((first.position - second.position).squaredNorm() <= reach * reach)) return;
   const Placement place = relative(first, second);
-  if (!place.rotation.allFinite()) return;  // the state is lost
+  if (!place.rotation.allFinite()) return;  // the state has diverged
   if (place_ && way_since(*place_, place) < clearance_) return;
   place_ = place;
   clearance_ = std::numeric_limits<double>::infinity();
@@ -98,7 +99,7 @@ void ShapePair::find(const Placement& first, const Placement& second, std::vecto
   }
 }
 
-// A lower bound of their distance, m; touches in the second's axes.
+// Returns a lower bound (m) of the distance of two parts and appends their touches in the second's axes.
 double ShapePair::find_of_parts(std::size_t i, std::size_t j, const Placement& place, std::vector<Touch>& touches) {
   const Part &one = first_.parts()[i], &two = second_.parts()[j];
   const Vector3d centre = place.point(one.centre);
@@ -117,7 +118,7 @@ double ShapePair::find_of_parts(std::size_t i, std::size_t j, const Placement& p
 
 namespace {
 
-// Corners of `one` within `margin` of `two`; `place`: the axes of one in those of two.
+// Corners of `one` within `margin` of `two`. `place`: axes of `one` in those of `two`.
 std::vector<std::int32_t> near_corners(const Part& one, const Part& two, const Placement& place, double margin) {
   std::vector<std::int32_t> found;
   for (std::size_t i = 0; i < one.features.corners.size(); ++i) {
@@ -127,7 +128,7 @@ std::vector<std::int32_t> near_corners(const Part& one, const Part& two, const P
   return found;
 }
 
-// Edges that may come as near.
+// Edges of `one` that may be within `margin` of `two`.
 std::vector<std::int32_t> near_edges(const Part& one, const Part& two, const Placement& place, double margin) {
   std::vector<std::int32_t> found;
   for (std::size_t i = 0; i < one.features.edges.size(); ++i) {
@@ -148,8 +149,8 @@ FeatureEdge placed(const FeatureEdge& edge, const Placement& place) {
 
 bool is_inside(double fraction) { return fraction > 0 && fraction < 1; }
 
-// Where two convex edges cross each other in such a way that their bodies overlap there. `a` is of `one`, both in the
-// axes of `two`.
+// Touch of two convex edges that cross so that their bodies overlap there. `a` belongs to the first part, `b` to the
+// second; both in the axes of the second.
 std::optional<Touch> crossing(const FeatureEdge& a, const FeatureEdge& b) {
   const Vector3d along_a = a.end - a.begin, along_b = b.end - b.begin;
   Vector3d normal = along_a.cross(along_b);
@@ -201,7 +202,7 @@ double ShapePair::find_of_mesh(const Part& one, const Part& two, MeshMemory& mem
       const FeatureEdge& b = two.features.edges[static_cast<std::size_t>(j)];
       const std::optional<Touch> touch = crossing(a, b);
       if (!touch) continue;
-      // Deep inside, edges on far sides cross each other too.
+      // Edges on opposite sides of deeply overlapping bodies cross as well. They are no contacts.
       if (two.nearest(touch->point - 0.5 * touch->depth * touch->normal).distance > 0) continue;
       if (one.nearest(back.point(touch->point + 0.5 * touch->depth * touch->normal)).distance > 0) continue;
       touches.push_back(*touch);

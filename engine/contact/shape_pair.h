@@ -1,14 +1,14 @@
 #pragma once
-// Where the shapes of two bodies touch each other.
+// Finds the contact points of the shapes of two bodies.
+// - A sphere touches where the other surface is nearest to its centre.
+// - Boxes, cylinders and the parts of satellites are convex and touch as polytopes (polytope.h).
+// - A mesh need not be convex. It and its partner touch at their corners, with the other's signed distance as depth,
+//   and at convex edges that cross.
 //
-// A sphere touches where the other surface is nearest to its centre. Boxes, cylinders and the parts of satellites are
-// convex and touch as polytopes do (polytope.h). A mesh need not be convex: it and what it meets touch by their
-// corners, where the other's signed distance says how deep, and by convex edges that cross.
+// The narrow phase of the library FCL is not suitable. For cylinders it finds one point, which jumps along a flank or
+// round a rim, and it may throw (its issues 319, 391, 493). For meshes its depth is not that of the bodies (491, 574).
 //
-// FCL's narrow phase does not serve here: for cylinders it finds one point, which jumps along a flank or round a rim,
-// and may throw (its issues 319, 391, 493); for meshes its depth says nothing of the bodies' (491, 574).
-//
-// Memory of where shapes have been changes the cost only: answers do not depend on what was asked before.
+// A ShapePair remembers earlier placements. This changes the cost only: results do not depend on earlier calls.
 
 #include <Eigen/Core>
 #include <memory>
@@ -22,16 +22,16 @@
 
 namespace netpocket {
 
-// A shape made ready to be touched. Immutable.
+// A shape prepared for contact. Immutable: any thread may use it.
 class TouchableShape {
  public:
   // A convex solid, or a mesh.
   struct Part {
     Shape solid;
-    Eigen::Vector3d centre;
+    Eigen::Vector3d centre;            // m, in the shape's axes
     double radius;                     // m, about the centre
-    std::optional<Polytope> polytope;  // none: a sphere, or a mesh
-    SurfaceFeatures features;          // none: a sphere
+    std::optional<Polytope> polytope;  // empty for spheres and meshes
+    SurfaceFeatures features;          // empty for spheres
 
     const Sphere* sphere() const { return std::get_if<Sphere>(&solid); }
     bool is_mesh() const { return std::holds_alternative<MeshShape>(solid); }
@@ -53,22 +53,22 @@ class TouchableShape {
 
 class ShapePair {
  public:
-  // Both must live as long as this.
+  // Both shapes must outlive this.
   ShapePair(const TouchableShape& first, const TouchableShape& second);
 
-  // Replaces `touches` by where they touch, in world axes. Nothing is computed while they cannot have come together
-  // since the last time.
+  // Replaces `touches` by the contact points, in world axes. `first`, `second`: the placements of the bodies. Computes
+  // nothing as long as the shapes cannot have met since the last search. One thread at a time.
   void find(const Placement& first, const Placement& second, std::vector<Touch>& touches);
 
  private:
   using Part = TouchableShape::Part;
-  // What may touch of a mesh and of what it meets: corners of the one near the other, and edges likewise.
+  // Corners and edges of two parts that are near the other part and may touch it.
   struct Near {
     std::vector<std::int32_t> corners1, corners2, edges1, edges2;
     bool empty() const { return corners1.empty() && corners2.empty() && (edges1.empty() || edges2.empty()); }
   };
   struct MeshMemory {
-    std::optional<Placement> place;  // of the last search
+    std::optional<Placement> place;  // at the last search
     Near near;
   };
 
@@ -81,8 +81,8 @@ class ShapePair {
   const TouchableShape &first_, &second_;
   double margin_;                   // m, within which features of meshes are kept
   std::vector<MeshMemory> meshes_;  // by part of the first, then of the second
-  std::optional<Placement> place_;  // of the first in the second's axes, when they were last looked at
-  double clearance_ = 0;            // m, at least, then
+  std::optional<Placement> place_;  // of the first in the second's axes, at the last search
+  double clearance_ = 0;            // m, lower bound of the distance at the last search
 };
 
 }  // namespace netpocket

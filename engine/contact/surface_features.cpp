@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Sine of the angle between two faces' normals up to which the edge between them is none.
+// Two faces have no edge between them if the sine of the angle between their normals is below this.
 constexpr double kFlat = 0.02;
 
 struct Loop {
@@ -22,7 +22,7 @@ struct Loop {
   std::span<const std::int32_t> corners;
 };
 
-// Of faces with a common edge. `corners` has all vertices.
+// Convex edges between faces. `corners` has all vertices.
 std::vector<FeatureEdge> convex_edges(const std::vector<FeatureCorner>& corners, const std::vector<Loop>& faces) {
   std::map<std::pair<std::int32_t, std::int32_t>, Vector3d> first_normal;
   std::vector<FeatureEdge> edges;
@@ -33,7 +33,7 @@ std::vector<FeatureEdge> convex_edges(const std::vector<FeatureCorner>& corners,
           first_normal.try_emplace(std::pair<std::int32_t, std::int32_t>(std::minmax(a, b)), face.normal);
       if (is_new) continue;
       const FeatureCorner &begin = corners[static_cast<std::size_t>(a)], &end = corners[static_cast<std::size_t>(b)];
-      // This face lies to the left of the way from a to b, the other one to its right.
+      // Seen from outside, this face is to the left of the direction from a to b, the other face to its right.
       const Vector3d along = (end.point - begin.point).normalized();
       if (symmetric_dot(along, face.normal.cross(other->second)) < kFlat) continue;
       edges.push_back({begin.point, end.point, along.cross(face.normal), other->second.cross(along),
@@ -45,7 +45,7 @@ std::vector<FeatureEdge> convex_edges(const std::vector<FeatureCorner>& corners,
 
 double angle_between(const Vector3d& a, const Vector3d& b) { return arc_tangent(a.cross(b).norm(), a.dot(b)); }
 
-// Each triangle's area goes to its corners by their angles.
+// Area by vertex: the area of each triangle is divided among its corners in proportion to their angles.
 std::vector<double> corner_areas(const TriangleMesh& mesh) {
   std::vector<double> areas(mesh.vertices().size(), 0.0);
   for (const Triangle& triangle : mesh.triangles()) {

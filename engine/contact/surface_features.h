@@ -1,5 +1,5 @@
 #pragma once
-// Corners and convex edges of a polyhedron: where it can touch another one. Lengths in m, the polyhedron's axes.
+// Corners and convex edges of a polyhedron, at which it can touch another one. Lengths in m, the polyhedron's axes.
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -18,10 +18,10 @@ struct FeatureCorner {
 
 struct FeatureEdge {
   Eigen::Vector3d begin, end;
-  Eigen::Vector3d side1, side2;  // unit, in the planes of its two faces, across the edge, away from the face
-  double weight;
+  Eigen::Vector3d side1, side2;  // unit, in the plane of each face, perpendicular to the edge, pointing off the face
+  double weight;                 // share of the contact stiffness
 
-  // Whether a direction across the edge lies between the normals of its faces.
+  // Whether a direction perpendicular to the edge lies between the normals of its faces.
   bool looks(const Eigen::Vector3d& direction) const {
     return symmetric_dot(direction, side1) >= 0 && symmetric_dot(direction, side2) >= 0;
   }
@@ -33,8 +33,8 @@ struct SurfaceFeatures {
 };
 
 SurfaceFeatures features_of(const Polytope& polytope);
-// A corner has 8 times its share of the surface, at most 1: the face of a mesh is about as stiff as that of a box,
-// however finely it is divided.
+// The weight of a corner is 8 times its share of the surface, at most 1. So a face of a mesh is about as stiff as that
+// of a box, however finely it is divided.
 SurfaceFeatures features_of(const TriangleMesh& mesh);
 
 }  // namespace netpocket

@@ -5,10 +5,11 @@
 namespace netpocket {
 namespace {
 
-// Radius for which candidates are kept, in typical edges of the mesh: about as many triangles as a corner has.
+// Radius within which candidates are valid, over the typical edge of the mesh. It gives about as many candidates as
+// triangles meet at a corner.
 constexpr double kRadius = 0.1;
 constexpr int kHalvings = 4;
-// m, well above the rounding of distances and below what matters.
+// Slack of distances, m: well above their rounding errors and too small to matter.
 constexpr double kSlack = 1e-9;
 
 }  // namespace
@@ -41,7 +42,7 @@ SurfacePoint SurfaceTracker::search(Memory& memory, const Eigen::Vector3d& point
   memory.distance = found.distance;
   memory.radius = -1;
   double radius = kRadius * mesh_->typical_edge();
-  if (found.distance > reach + radius) return found;  // will not be near for a while
+  if (found.distance > reach + radius) return found;  // too far away to need candidates soon
   std::vector<std::int32_t> places;
   for (int i = 0; i < kHalvings; ++i, radius /= 2) {
     places.clear();

@@ -1,10 +1,11 @@
 #pragma once
-// Nearest surface points of one body for many points that move little from one question to the next, such as the
-// contact points of cords. For a mesh it remembers what the last search of the tree found:
-// - a point that was d away from the surface and has moved by less since cannot have reached it;
-// - for as long as a point stays within a radius r of where it was, at a distance d from the surface, the nearest
-//   triangle is one of those within d + 2 r of that place.
-// Memory changes the cost only: answers are those of nearest_surface_point to the last bit, whatever was asked before.
+// Nearest surface points of one body for many points that move little between calls, such as the contact points of
+// cords. For a mesh it remembers the result of the last search of the tree:
+// - A point at distance d from the surface that has since moved by less than d cannot have reached it.
+// - As long as a point stays within a radius r of its place at the last search, where its distance was d, the nearest
+//   triangle is one of those within d + 2 r of that place (the candidates).
+// This memory changes the cost only. Results are those of nearest_surface_point to the last bit, independent of earlier
+// calls.
 //
 // Thread contract: calls for different points may run at the same time.
 
@@ -21,11 +22,12 @@ namespace netpocket {
 
 class SurfaceTracker {
  public:
-  // The shape must live as long as the tracker.
+  // The shape must outlive the tracker.
   SurfaceTracker(const Shape& shape, std::size_t point_count);
 
-  // Nearest surface point of the point `index`, now at `point` (m, body axes); nothing if it is `reach` (m, >= 0) or
-  // farther away. `clearance` receives its distance (m), or less if it is farther away than `reach`.
+  // Nearest surface point to the point `index` (less than point_count), which is now at `point` (m, body axes). Empty
+  // if its distance is `reach` (m, >= 0) or more. `clearance` receives the signed distance (m), or a lower bound of it
+  // that exceeds `reach`.
   std::optional<SurfacePoint> nearest(std::size_t index, const Eigen::Vector3d& point, double reach, double& clearance);
 
  private:
@@ -33,7 +35,7 @@ class SurfaceTracker {
   struct Memory {
     Eigen::Vector3d place = Eigen::Vector3d::Zero();  // of the last search
     double distance = -1;                             // m, signed, at that place
-    double radius = -1;                               // m, for which the candidates hold; < 0: there are none
+    double radius = -1;                               // m, within which the candidates are valid; < 0: no candidates
     std::uint32_t count = 0;
     std::array<std::int32_t, kMostCandidates> candidates{};
   };

@@ -1,5 +1,5 @@
 #pragma once
-// A place where two bodies overlap.
+// A contact point of two bodies, and the placement of a body.
 
 #include <Eigen/Core>
 
@@ -14,10 +14,10 @@ struct Touch {
   double weight;           // share of the pair's contact stiffness
 };
 
-// A body's axes in those of another frame.
+// Placement of a body's axes in another frame. own_point and own_direction are the inverse of point and direction.
 struct Placement {
   Eigen::Vector3d position;  // m
-  Eigen::Matrix3d rotation;
+  Eigen::Matrix3d rotation;  // body's axes to those of the frame
 
   Eigen::Vector3d point(const Eigen::Vector3d& own) const { return position + symmetric_product(rotation, own); }
   Eigen::Vector3d direction(const Eigen::Vector3d& own) const { return symmetric_product(rotation, own); }

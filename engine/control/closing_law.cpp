@@ -9,9 +9,9 @@
 namespace netpocket {
 namespace {
 
-constexpr double kRampFraction = 0.25;  // of the duration, at either end of the trapezoid
+constexpr double kRampFraction = 0.25;  // of the duration, for each ramp of the trapezoid
 
-// The part of the way done, 0 to 1, over s = 0 to 1, with its derivatives by s.
+// Fraction of the way done, 0 to 1, for s = 0 to 1, with its derivatives with respect to s.
 struct Progress {
   double value;
   double slope;
@@ -45,16 +45,16 @@ Progress progress(ClosingLaw law, double s) {
     case ClosingLaw::trapezoid:
       return trapezoid(s);
     case ClosingLaw::linear:
-    case ClosingLaw::table:  // handled by its points
+    case ClosingLaw::table:  // computed by between_points
       break;
   }
   return {s, 1, 0};
 }
 
-// Largest slope of the progress: of all but the linear law at the middle.
+// Largest slope of the progress. All laws but the table have it at s = 0.5.
 double largest_slope(ClosingLaw law) { return progress(law, 0.5).slope; }
 
-// The slope at the middle of three points that keeps a cubic monotone: a weighted harmonic mean, zero at an extremum
+// Slope at the middle of three points that keeps the cubic monotone: a weighted harmonic mean, zero at an extremum
 // (Fritsch & Butland 1984).
 double monotone_slope(const Eigen::Vector2d& before, const Eigen::Vector2d& here, const Eigen::Vector2d& after) {
   const Eigen::Vector2d left = here - before;
@@ -94,7 +94,7 @@ void ClosingSchedule::read_table(const std::vector<Eigen::Vector2d>& table) {
   fastest_ = fastest_between_points();
 }
 
-// The speed is a parabola in time between points: largest at the points or at its vertex.
+// Between points the speed is a parabola in time. It is largest at a point or at the vertex.
 double ClosingSchedule::fastest_between_points() const {
   double fastest = 0;
   for (std::size_t i = 0; i + 1 < points_.size(); ++i) {

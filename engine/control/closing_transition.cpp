@@ -6,11 +6,11 @@
 namespace netpocket {
 namespace {
 
-constexpr double kBriefest = 0.5;   // s, of a leg
-constexpr double kGrowth = 1.1;     // from one duration tried to the next
-constexpr int kTrials = 120;        // up to half a second times 1.1^119: half a day
-constexpr int kSamplesOfLeg = 128;  // of a leg, at which speed and length are looked at
-// Part of the open length per second at which ropes may be wound even where no law asks for any speed.
+constexpr double kBriefest = 0.5;   // s, shortest duration of a leg
+constexpr double kGrowth = 1.1;     // ratio of successive durations tried
+constexpr int kTrials = 120;        // up to 0.5 s times 1.1^119: half a day
+constexpr int kSamplesOfLeg = 128;  // points of a leg at which speed and length are checked
+// Winding speed (1/s, per open length) that is always allowed, even if no law asks for any speed.
 constexpr double kLeastSpeed = 0.01;
 
 }  // namespace
@@ -53,7 +53,7 @@ bool ClosingTransition::go_over(double begin, const ClosingState& from) {
   return false;
 }
 
-// Comes to rest as far on as a steady braking takes it; sooner where there is no room.
+// Comes to rest where a steady deceleration would; sooner where there is no room for that.
 void ClosingTransition::come_to_rest(double now, const ClosingState& from) {
   double duration = kBriefest;
   for (int trial = 0; trial < kTrials; ++trial, duration /= kGrowth) {

@@ -1,15 +1,15 @@
 #pragma once
-// How the closing ropes go over from the motion they have to a law of closing that is chosen in the midst of a run.
+// Leads the closing ropes from their present motion to a closing law that is chosen during a run.
 //
-// Length, speed and acceleration go on from what they are. A quintic in time leads from them to those of the new law at
-// a later moment, from which on the law rules. That moment is the earliest, in steps of a tenth from half a second on,
-// at which
-//   - the ropes are at no time wound faster than kFastest times the largest speed of the new law or that they have,
-//   - they are never longer than the open length, nor shorter than the shortest of the new law and the present length
-//     by more than they need to come to rest.
-// Where there is none, as when ropes that run in fast are to be paid out, they first come to rest within half a second.
-// A law that asks at the moment of the change for what the ropes do rules at once.
-// Immutable: any thread may use it.
+// Length, speed and acceleration are continuous. A quintic in time leads from their present values to those of the new
+// law at a later moment. From then on the law rules. Durations from 0.5 s on are tried, each 10 % longer than the one
+// before. The first is taken for which
+// - the winding speed never exceeds kFastest times the largest speed of the new law or, if larger, the present speed,
+// - the ropes are never longer than the open length,
+// - they are shorter than both the present length and the shortest of the new law by no more than they need to stop.
+// If there is none, as when ropes that are wound in fast must be paid out, they first come to rest within 0.5 s. If the
+// new law asks for exactly the present motion, it rules at once.
+// Immutable: safe for any number of threads.
 
 #include <array>
 
@@ -21,17 +21,17 @@ class ClosingTransition {
  public:
   static constexpr double kFastest = 1.1;
 
-  // From `before`, which the ropes do at the time `now` (s).
+  // `before`: motion of the ropes at the time `now` (s).
   ClosingTransition(const ClosingSchedule& schedule, double now, const ClosingState& before);
 
-  ClosingState at(double time) const;  // time in s, from `now` on
-  double end() const { return end_; }  // s, from which on the schedule rules
+  ClosingState at(double time) const;  // time in s, not before `now`
+  double end() const { return end_; }  // s, from when on the schedule rules
 
  private:
   // A quintic in time from one state to another.
   struct Leg {
     double begin, end;             // s
-    std::array<double, 6> powers;  // of the part of the way, 0 to 1; m
+    std::array<double, 6> powers;  // m, coefficients in powers of s = (time - begin)/(end - begin)
 
     ClosingState at(double time) const;
   };
@@ -42,10 +42,10 @@ class ClosingTransition {
   void come_to_rest(double now, const ClosingState& from);
 
   ClosingSchedule schedule_;
-  double fastest_ = 0;   // m/s
-  double shortest_ = 0;  // m
+  double fastest_ = 0;   // m/s, bound of the speed
+  double shortest_ = 0;  // m, bound of the length
   double end_;
-  std::array<Leg, 2> legs_{};  // first the one to rest; empty where there is none
+  std::array<Leg, 2> legs_{};  // the first one comes to rest; unused ones are empty
 };
 
 }  // namespace netpocket

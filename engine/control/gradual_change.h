@@ -1,6 +1,6 @@
 #pragma once
-// How what is changed in the midst of a run goes over from what it was: within half a second, with speed and
-// acceleration that vanish at both ends, so that no force jumps.
+// Changes values gradually when they are changed during a run: within 0.5 s, with speed and acceleration that vanish at
+// both ends, so that no force jumps.
 
 #include <algorithm>
 #include <functional>
@@ -9,21 +9,21 @@ namespace netpocket {
 
 inline constexpr double kChangeDuration = 0.5;  // s
 
-// From 0 to 1 over s = 0 to 1 with vanishing first and second derivatives at both ends: exactly 0 and 1 beyond.
+// Rises from 0 to 1 over s = 0 to 1, with vanishing first and second derivatives at both ends. Exactly 0 or 1 outside.
 inline double smooth_step(double s) {
   const double t = std::clamp(s, 0.0, 1.0);
   return t == 1 ? 1 : t * t * t * (10 + t * (-15 + t * 6));
 }
 
-// The part of a change at `begin` (s) that is made at `time` (s).
+// Fraction of a change begun at `begin` (s) that is complete at `time` (s).
 inline double part_changed(double begin, double time) { return smooth_step((time - begin) / kChangeDuration); }
 
-// A number that goes over to another one.
+// A number that changes gradually.
 class GradualChange {
  public:
   explicit GradualChange(double value) : from_(value), to_(value) {}
 
-  // Goes over to `value` from what it is at `now` (s).
+  // Begins a change from the value at `now` (s) to `value`.
   void change(double value, double now) {
     if (value == to_) return;
     from_ = at(now);
@@ -33,7 +33,8 @@ class GradualChange {
   double at(double time) const { return is_done(time) ? to_ : from_ + (to_ - from_) * part_changed(begin_, time); }
   bool is_done(double time) const { return time >= begin_ + kChangeDuration; }
 
-  // Gives every number of the state but the one to which it goes over, which is the scenario's, to `visit`.
+  // Gives the numbers of the state to `visit`, which may change them. The target value is not among them: the scenario
+  // has it.
   void visit_state(const std::function<void(double&)>& visit) {
     visit(from_);
     visit(begin_);
@@ -41,7 +42,7 @@ class GradualChange {
 
  private:
   double from_, to_;
-  double begin_ = -kChangeDuration;  // s: over before the start
+  double begin_ = -kChangeDuration;  // s; a change that was over before the start
 };
 
 }  // namespace netpocket

@@ -9,22 +9,22 @@
 namespace netpocket {
 namespace {
 
-// Time (s) over which the means of accelerations and of what holds the spacecraft forget.
+// Time constant (s) of the means of accelerations and of exerted forces.
 constexpr double kMemory = 0.02;
 
-// From 0 to 1 over s in [0, 1], with vanishing slope at both ends.
+// Rises from 0 to 1 over s in [0, 1], with vanishing slope at both ends.
 double cycloid_part(double s) {
   s = std::clamp(s, 0.0, 1.0);
   return s - sine(2 * std::numbers::pi * s) / (2 * std::numbers::pi);
 }
 
-// 1 during [0, duration], with smooth flanks a tenth of the duration long.
+// 1 during [0, duration], with smooth flanks of a tenth of the duration.
 double thrust_profile(double elapsed, double duration) {
   const double flank = 0.1 * duration;
   return cycloid_part(elapsed / flank) * cycloid_part((duration - elapsed) / flank);
 }
 
-// Over s in [0, 1]: slope 1 at 0, and nothing else at either end.
+// Slope 1 at s = 0. Value, and all else up to the second derivative, vanish at s = 0 and 1.
 double fading_slope(double s) { return s >= 1 ? 0 : s * (1 + s * s * (-6 + s * (8 - s * 3))); }
 
 void visit_vector(const std::function<void(double&)>& visit, Eigen::Vector3d& vector) {
@@ -33,7 +33,8 @@ void visit_vector(const std::function<void(double&)>& visit, Eigen::Vector3d& ve
 
 }  // namespace
 
-// Velocities stand half a step before the time: the first step that is prescribed goes on as the last one went.
+// Velocities belong to half a step before the time. `since` is one step before it, so that the first prescribed step
+// continues the last one.
 void SpacecraftDrive::Guide::turn_on(double since, const Eigen::Vector3d& rate_then,
                                      const Eigen::Vector3d& acceleration_then) {
   if (is_on()) return;
@@ -50,7 +51,7 @@ double SpacecraftDrive::Guide::at(int axis, double time, double wanted, double p
 SpacecraftDrive::SpacecraftDrive(const TowingParameters& towing, StationKeeping station_keeping, double total_mass)
     : towing_(towing), station_keeping_(station_keeping), total_mass_(total_mass) {}
 
-// What acts now, by components: where the motion is prescribed, the mean.
+// Present force and torque. Where the motion is prescribed: the mean.
 Wrench SpacecraftDrive::acting() const {
   Wrench wrench = exerted_;
   if (tow_.is_on()) wrench.force.y() = mean_exerted_.force.y();

@@ -1,5 +1,5 @@
 #pragma once
-// What drives the spacecraft: towing and station keeping, as the scenario says.
+// Controls the spacecraft: towing and station keeping as the scenario describes them.
 
 #include <functional>
 #include <optional>
@@ -10,45 +10,46 @@
 
 namespace netpocket {
 
-// Towing along -Y from `start` on, size ramped up smoothly (s - sin(2 pi s)/(2 pi), over a tenth of the duration) so
-// that the tow does not begin with a blow:
-//   force         thrust `size` (N) for `duration`
+// Towing along -Y from `start` (s) on. In the modes `force` and `acceleration` the thrust rises and falls smoothly, as
+// s - sin(2 pi s)/(2 pi) over a tenth of the duration, so that no blow occurs. Modes:
+//   force         thrust `size` (N) for `duration` (s)
 //   acceleration  thrust that gives the whole captured system (`total_mass`, kg) the acceleration `size` (m/s^2) for
 //                 `duration`
-//   velocity      the spacecraft's velocity along Y goes from what it is at `start` to -`size` (m/s) over `duration` by
-//                 a cycloid and stays there; the thrust is what that takes
-// Thrust acts at `offset` (m) from the axis, `offset_angle` (rad) from the spacecraft's x axis towards its z axis.
-// Station keeping holds attitude, or attitude and lateral position, at all times; held attitude takes up the moment of
-// the offset.
+//   velocity      the spacecraft's velocity along Y goes from its value at `start` to -`size` (m/s) over `duration` by
+//                 a cycloid and stays there; the thrust is what this requires
+// The thrust acts at `offset` (m) from the axis, at `offset_angle` (rad) from the spacecraft's x axis towards its z
+// axis. Station keeping holds the attitude, or the attitude and the lateral position, at all times. A held attitude
+// takes up the moment of the offset thrust.
 //
-// A change in the midst of a run is no blow. What is prescribed from then on, a velocity or the attitude, starts from
-// the present velocity and acceleration and reaches what is asked for within the towing's duration or, for what is
-// held, within half a second. What is no longer prescribed, and every other force, goes over from the force and the
-// moment that act, within half a second.
+// Changes during a run cause no blow. A motion that becomes prescribed (velocity, attitude) starts from the present
+// velocity and acceleration. It reaches the wanted value within the towing's duration or, if it is held, within 0.5 s.
+// A motion that is no longer prescribed, and every other force, changes from the present force and moment within 0.5 s.
 class SpacecraftDrive {
  public:
+  // `total_mass` in kg.
   SpacecraftDrive(const TowingParameters& towing, StationKeeping station_keeping, double total_mass);
 
-  // Changes what will be done from `now` (s) on.
+  // Changes the control from `now` (s) on.
   void change(const TowingParameters& towing, StationKeeping station_keeping, double now);
 
-  // Control at `time` (s); `craft`: the motion of the spacecraft and what is attached to it now.
+  // Control at `time` (s). `craft`: present motion of the spacecraft with what is attached to it.
   BodyControl at(double time, const RigidMotion& craft);
-  // After the step of `dt` (s) with that control: what the control exerted in it, and the motion now.
+  // To be called after the step of `dt` (s) with that control. `exerted`: what the control exerted in the step;
+  // `craft`: the present motion.
   void note_step(const Wrench& exerted, const RigidMotion& craft, double dt);
 
   void visit_state(const std::function<void(double&)>& visit);
 
  private:
-  // A velocity or angular velocity that is prescribed. World axes.
+  // A prescribed velocity or angular velocity, in world axes.
   struct Guide {
-    double begin = -1;  // s; negative: it is not prescribed
+    double begin = -1;  // s; negative: not prescribed
     Eigen::Vector3d rate = Eigen::Vector3d::Zero();
-    Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();  // both at the beginning
+    Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();  // rate and acceleration at `begin`
 
     bool is_on() const { return begin >= 0; }
     void turn_on(double since, const Eigen::Vector3d& rate_then, const Eigen::Vector3d& acceleration_then);
-    // `progress`: part of the way from the rate at the beginning to the one wanted.
+    // Component `axis` of the rate at `time` (s). `progress`: fraction of the way from `rate` to `wanted`.
     double at(int axis, double time, double wanted, double progress) const;
   };
 
@@ -61,15 +62,15 @@ class SpacecraftDrive {
   TowingParameters towing_;
   StationKeeping station_keeping_;
   double total_mass_;
-  double changed_ = -kChangeDuration;  // s, when `released_` acted
-  Wrench released_;                    // goes to nothing from then on, while what is asked for grows
+  double changed_ = -kChangeDuration;  // s, time of the last change
+  Wrench released_;                    // acted at changed_; fades to zero while the new control grows
   Guide tow_, lateral_, attitude_;
-  // Of the last step, and means over the last kMemory or so, without which the blow of a contact would be taken for
-  // the motion.
+  // exerted_ is of the last step. The others are means over about kMemory: a single step would take the blow of a
+  // contact for the motion.
   Wrench exerted_, mean_exerted_;
   Eigen::Vector3d mean_acceleration_ = Eigen::Vector3d::Zero();          // m/s^2
   Eigen::Vector3d mean_angular_acceleration_ = Eigen::Vector3d::Zero();  // rad/s^2
-  RigidMotion before_;                                                   // the step
+  RigidMotion before_;                                                   // at the beginning of the step
   double last_step_ = 0;                                                 // s
 };
 

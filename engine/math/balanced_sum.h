@@ -1,7 +1,7 @@
 #pragma once
-// Sums whose bits do not depend on the order of the terms, and in which what is equal and opposite cancels exactly:
-// terms of the same size are counted, and sizes added from the smallest on. A sum of vectors so turns with them in
-// quarter turns.
+// Sums whose bits do not depend on the order of the terms, and in which equal and opposite terms cancel exactly. Terms
+// of equal size are counted with their signs; then the sizes are added in ascending order. If the vectors are rotated
+// by a quarter turn, their sum is rotated with them to the last bit.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace netpocket {
 
-// Sorts the terms.
+// Sum of `terms`, which it sorts.
 inline double balanced_sum(std::vector<double>& terms) {
   std::ranges::sort(terms, [](double a, double b) { return std::abs(a) < std::abs(b); });
   double sum = 0;
@@ -20,13 +20,13 @@ inline double balanced_sum(std::vector<double>& terms) {
     std::size_t next = i;
     for (; next < terms.size() && std::abs(terms[next]) == size; ++next) count += terms[next] < 0 ? -1 : 1;
     sum += count * size;
-    i = std::max(next, i + 1);  // what is no number equals nothing, and belongs to the sum
+    i = std::max(next, i + 1);  // NaN does not equal itself, but must enter the sum
     if (next < i) sum += size;
   }
   return sum;
 }
 
-// Components apart.
+// The same for each component of vectors.
 inline Eigen::Vector3d balanced_sum(const std::vector<Eigen::Vector3d>& terms) {
   Eigen::Vector3d sum;
   std::vector<double> components(terms.size());

@@ -10,12 +10,12 @@ namespace netpocket {
 namespace {
 
 constexpr double kPi = 0x1.921fb54442d18p+1, kPiRest = 0x1.1a62633145c07p-53;
-// Of pi/2; the first two have 33 bits, so that their products with whole numbers up to 2^20 are exact (Cody & Waite
+// Parts of pi/2. The first two have 33 bits, so that their products with integers up to 2^20 are exact (Cody & Waite
 // 1980).
 constexpr double kQuarter1 = 0x1.921fb544p+0, kQuarter2 = 0x1.0b4611a6p-34, kQuarter3 = 0x1.3198a2e037073p-69;
 constexpr double kLargestAngle = 1e5;
 
-// A number and a small rest.
+// The unevaluated sum of a number and a small remainder.
 struct Pair {
   double high, low;
 };
@@ -26,7 +26,7 @@ Pair quick_sum(double a, double b) {
   return {sum, b - (sum - a)};
 }
 
-// An angle less `quarters` right angles: within pi/4 of zero.
+// An angle minus `quarters` right angles; `rest` is within pi/4 of zero.
 struct Reduced {
   Pair rest;
   std::int64_t quarters;
@@ -52,8 +52,8 @@ double polynomial(const std::array<double, N>& c, double z) {
   return sum;
 }
 
-// (-1)^i/(2 i + 3)! and (-1)^i/(2 i + 4)!: Taylor's series of sine and cosine from their third term on, whose next
-// terms are below 1e-19 within pi/4.
+// (-1)^i/(2 i + 3)! for kFirst = 3 and (-1)^i/(2 i + 4)! for kFirst = 4: coefficients of the Taylor series of sine and
+// cosine. Within pi/4 the omitted terms are below 1e-19.
 template <int kFirst>
 constexpr std::array<double, 8> alternating_inverse_factorials() {
   std::array<double, 8> list{};
@@ -93,10 +93,10 @@ constexpr std::array<Pair, 5> kArcs = {{{0, 0},
                                         {0x1.4978fa3269ee1p-1, 0x1.2419a87f2a458p-56},
                                         {kPi / 4, kPiRest / 4}}};
 
-// base + sign atan(y/x), 0 <= y <= x > 0, base either 0 or at least pi/2. From 3/16 on the nearest i/4 is taken out of
-// the ratio,
-//   atan(y/x) = atan(c) + atan((y - c x)/(x + c y)),
-// and the series of what is left ends below 1e-18 of it.
+// base + sign atan(y/x) for 0 <= y <= x > 0, where base is 0 or at least pi/2. If the ratio is at least 3/16, it is
+// reduced by the nearest c = i/4:
+//   atan(y/x) = atan(c) + atan((y - c x)/(x + c y)).
+// The truncation error of the series for the remainder is below 1e-18 of it.
 double arc_from(const Pair& base, double sign, double y, double x) {
   static constexpr std::array<double, 11> kSeries = {-1.0 / 3,  1.0 / 5,  -1.0 / 7,  1.0 / 9,  -1.0 / 11, 1.0 / 13,
                                                      -1.0 / 15, 1.0 / 17, -1.0 / 19, 1.0 / 21, -1.0 / 23};
@@ -117,10 +117,10 @@ double arc_from(const Pair& base, double sign, double y, double x) {
 template <int kOrder>
 double positive_root(double x) {
   constexpr double n = kOrder;
-  // Good to some per cent: a number's bits are nearly its logarithm.
+  // The bits of a double are nearly its logarithm. This gives a first guess with an error of some per cent.
   constexpr auto kOne = std::bit_cast<std::int64_t>(1.0);
   double y = std::bit_cast<double>((std::bit_cast<std::int64_t>(x) - kOne) / kOrder + kOne);
-  // Halley's method, which cubes the error; the last step as a correction, for its rounding.
+  // Halley's method cubes the error. Each step is applied as a correction, to keep the rounding error small.
   for (int i = 0; i < 3; ++i) {
     double power = y;
     for (int factor = 1; factor < kOrder; ++factor) power *= y;
@@ -139,7 +139,7 @@ double odd_root(double x) {
 
 double sine(double angle) {
   if (!std::isfinite(angle)) return std::numeric_limits<double>::quiet_NaN();
-  if (angle == 0) return angle;  // a zero keeps its sign
+  if (angle == 0) return angle;  // keeps the sign of a zero
   const Reduced reduced = reduce(angle);
   return sine_of(reduced, reduced.quarters);
 }

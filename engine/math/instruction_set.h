@@ -1,18 +1,19 @@
 #pragma once
-// Which variant of the vectorised kernels runs: the best one this processor has, or a lesser one named in the
-// environment variable NETPOCKET_ISA (baseline, avx2, avx512), for tests. All variants give the same bits.
+// Chooses the variant of the vectorised kernels that runs. It is the best one that this processor supports. For tests,
+// the environment variable NETPOCKET_ISA (baseline, avx2, avx512) can select a lesser one. All variants give the same
+// bits. Any thread may call these functions.
 
 namespace netpocket {
 
 enum class InstructionSet { baseline, avx2, avx512 };
 
-// Whether this processor has it.
+// Whether this processor supports the instruction set.
 bool has(InstructionSet set);
-// Decided once, at the first call.
+// The chosen instruction set. It is decided once, at the first call.
 InstructionSet instruction_set();
 const char* to_string(InstructionSet set);
 
-// The variant of a kernel that runs.
+// The variant of a kernel that belongs to instruction_set().
 template <typename Kernel>
 Kernel choose_variant(Kernel baseline, Kernel avx2, Kernel avx512) {
   switch (instruction_set()) {

@@ -6,8 +6,8 @@
 namespace netpocket {
 namespace {
 
-// The unevaluated sum of two doubles, the second below half a unit in the last place of the first: some 104 bits
-// (Dekker 1971, Numer. Math. 18, doi:10.1007/BF01397083).
+// The unevaluated sum of two doubles. The second is at most half a unit in the last place of the first, which gives
+// about 104 bits (Dekker 1971, Numer. Math. 18, doi:10.1007/BF01397083).
 struct Double2 {
   double high = 0, low = 0;
 };
@@ -74,7 +74,7 @@ Double2 logarithm_of(double x) {
 
 // With x = k ln 2 + 16 r: e^x = 2^k (e^r)^16.
 double exponential_of(const Double2& x) {
-  constexpr double kLargest = 710, kLeast = -746;  // beyond, the result is infinite or zero
+  constexpr double kLargest = 710, kLeast = -746;  // beyond these the result is infinite or zero
   if (x.high > kLargest) return std::numeric_limits<double>::infinity();
   if (x.high < kLeast) return 0;
   const double k = std::floor(x.high / kLogarithmOf2.high + 0.5);

@@ -8,7 +8,7 @@
 
 namespace netpocket {
 
-// The rotation about the direction of `vector` (rad) by its length.
+// The rotation about the direction of `vector` by an angle equal to its length (rad).
 inline Eigen::Quaterniond rotation_by(const Eigen::Vector3d& vector) {
   const double angle = symmetric_norm(vector);
   if (angle == 0) return Eigen::Quaterniond::Identity();

@@ -1,7 +1,7 @@
 #pragma once
-// Sums of contributions from the eight sectors of a pocket whose rounding does not break the pocket's symmetry: each
-// sector adds its own in order, then opposite sectors meet first, ((0+4) + (2+6)) + ((1+5) + (3+7)), so that what is
-// equal and opposite cancels exactly.
+// Sums of contributions from the eight sectors of a pocket whose rounding does not break the pocket's symmetry. Each
+// sector sums its own contributions in order. The total adds opposite sectors first,
+// ((0+4) + (2+6)) + ((1+5) + (3+7)), so that equal and opposite contributions cancel exactly.
 
 #include <array>
 
@@ -12,6 +12,7 @@ class SectorSum {
  public:
   explicit SectorSum(const T& zero) { parts_.fill(zero); }
 
+  // Adds a contribution of sector index % 8.
   void add(int index, const T& value) { parts_[index % 8] += value; }
   T total() const {
     const T even = (parts_[0] + parts_[4]) + (parts_[2] + parts_[6]);

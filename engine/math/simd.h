@@ -1,11 +1,11 @@
 #pragma once
-// A few doubles that are computed at once: one value for each of several cable elements or coordinates, as many as one
-// register of the instruction set holds. Data comes in blocks of eight; a kernel goes through a block in parts of
-// kWidth lanes. Only additions, multiplications, divisions and square roots are used, each rounded on its own
-// (-ffp-contract=off), so that every instruction set gives the same bits.
+// SIMD types: several doubles that are computed at once, as many as one register of the instruction set holds. Each
+// lane holds the value of one cable element or coordinate. Data comes in blocks of eight; a kernel processes a block in
+// parts of kWidth lanes. Only additions, multiplications, divisions and square roots are used, each rounded separately
+// (-ffp-contract=off). Therefore every instruction set gives the same bits.
 //
-// To be included only by sources that are compiled once per instruction set; everything here has internal linkage so
-// that no copy compiled for a newer processor can end up in code that an older one runs.
+// Only sources that are compiled once per instruction set may include this header. Everything here has internal
+// linkage, so that code which runs on an older processor never uses a copy compiled for a newer one.
 
 #include <immintrin.h>
 
@@ -30,7 +30,7 @@ using UnalignedSimdDouble [[gnu::vector_size(kWidth * sizeof(double)), gnu::alig
 
 #define NETPOCKET_INLINE [[gnu::always_inline]] static inline
 
-// Part `part` of the block of eight that starts at `block` (64-byte aligned).
+// Loads part `part` of the block of eight that starts at `block` (64-byte aligned).
 NETPOCKET_INLINE SimdDouble load(const double* block, int part) {
   return *reinterpret_cast<const SimdDouble*>(block + part * kWidth);
 }
@@ -50,7 +50,7 @@ NETPOCKET_INLINE bool are_all_negative(const SimdDouble& value) {
 
 NETPOCKET_INLINE SimdDouble square_root(const SimdDouble& value) {
 #if defined(__AVX512F__)
-  return SimdDouble(_mm512_maskz_sqrt_pd(0xff, __m512d(value)));  // the plain one makes GCC 12 warn
+  return SimdDouble(_mm512_maskz_sqrt_pd(0xff, __m512d(value)));  // without a mask GCC 12 warns
 #elif defined(__AVX__)
   return SimdDouble(_mm256_sqrt_pd(__m256d(value)));
 #else
@@ -58,7 +58,7 @@ NETPOCKET_INLINE SimdDouble square_root(const SimdDouble& value) {
 #endif
 }
 
-// Part `part` of a block read in turned order: lane i of the block's eight receives block[(i + rotation) mod 8].
+// Loads part `part` of a block whose values are rotated: lane i of the eight receives block[(i + rotation) mod 8].
 NETPOCKET_INLINE SimdDouble load_rotated(const double* block, int part, int rotation) {
   if (rotation == 0) return load(block, part);
 #if defined(__AVX512F__)
@@ -92,14 +92,14 @@ NETPOCKET_INLINE SimdVector operator-(const SimdVector& a, const SimdVector& b) 
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 NETPOCKET_INLINE SimdVector operator*(const SimdDouble& s, const SimdVector& a) { return {s * a.x, s * a.y, s * a.z}; }
-// From three rows one behind the other.
+// Gathers vectors from three consecutive rows of eight: x, y, z.
 NETPOCKET_INLINE SimdVector gather3(const double* rows, const std::ptrdiff_t* place) {
   return {gather(rows, place), gather(rows + kBlock, place), gather(rows + 2 * kBlock, place)};
 }
 NETPOCKET_INLINE SimdVector cross(const SimdVector& a, const SimdVector& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-// x and z first: the sum keeps its bits when the pocket is turned by 90 degrees about its axis.
+// x and z are added first, so that the sum keeps its bits when the pocket is rotated by 90 degrees about its axis.
 NETPOCKET_INLINE SimdDouble dot(const SimdVector& a, const SimdVector& b) {
   return (a.x * b.x + a.z * b.z) + a.y * b.y;
 }

@@ -1,8 +1,9 @@
 #pragma once
-// Vector sums that round alike under quarter turns about Y.
-// The pocket maps onto itself under (x, z) -> (z, -x). Floating-point addition commutes but does not associate, so a
-// sum keeps that symmetry to the last bit only if its x and z terms meet first. Eigen's own dot product adds x and y
-// first.
+// Vector sums whose rounding is the same after quarter turns about Y.
+//
+// The pocket maps onto itself under (x, z) -> (z, -x). Floating-point addition is commutative but not associative. So a
+// sum keeps that symmetry to the last bit only if its x and z terms are added first. Eigen's own dot product adds x and
+// y first.
 
 #include <Eigen/Core>
 #include <cmath>

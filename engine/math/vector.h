@@ -1,21 +1,21 @@
 #pragma once
 // Vectors of the cable element. The pocket repeats every 90 degrees about the world's Y axis, and a symmetric capture
-// must stay symmetric to the last bit. Sums over components are therefore grouped so that the rotation
-// (x, z) -> (z, -x) only swaps two summands of a commutative sum. Use these functions, not Eigen's reductions and
-// products, whose order depends on the instruction set.
+// must stay symmetric to the last bit. Therefore sums over components are grouped so that the rotation
+// (x, z) -> (z, -x) only swaps two summands. Use these functions instead of Eigen's reductions and products, whose
+// order depends on the instruction set.
 
 #include <Eigen/Core>
 
 namespace netpocket {
 
-// Coordinates of an element, or anything conjugate to them: columns r1, g1, r2, g2 = positions (m) and gradients
-// dr/dp (-) of the two nodes, world frame.
+// Coordinates of an element, or quantities conjugate to them. Columns r1, g1, r2, g2: positions (m) and gradients
+// dr/dp (dimensionless) of the two nodes, world frame.
 using ElementCoordinates = Eigen::Matrix<double, 3, 4>;
 
 // One number per column of ElementCoordinates.
 using NodalWeights = Eigen::Vector4d;
 
-// d(force)/d(coordinates); coordinate 3 * column + component.
+// d(force)/d(coordinates). Row and column index: 3 * (column of ElementCoordinates) + component.
 using ElementTangent = Eigen::Matrix<double, 12, 12>;
 
 inline double dot(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {

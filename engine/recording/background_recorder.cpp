@@ -11,8 +11,8 @@
 namespace netpocket {
 namespace {
 
-// The writer looks into the queue so often, and at once when so many entries wait: to wake it for each cost the one who
-// makes frames 1 % of its time.
+// Interval at which the writer checks the queue. It is woken at once when this many entries wait. Waking it for each
+// entry would cost the simulating thread 1 % of its time.
 constexpr std::chrono::milliseconds kRest{20};
 constexpr std::size_t kManyEntries = kBackgroundFrames / 2;
 constexpr std::size_t kManyBytes = kBackgroundBytes / 2;
@@ -50,13 +50,13 @@ struct BackgroundRecorder::Impl {
   void drain();
   void rethrow();
 
-  Recorder recorder;  // the writer's until it is joined
-  std::mutex mutex;   // guards what follows
+  Recorder recorder;  // used only by the writer until it is joined
+  std::mutex mutex;   // guards the following
   std::condition_variable changed;
   std::deque<Entry> queue;
-  std::size_t bytes = 0;  // of what is in the queue
+  std::size_t bytes = 0;  // of the entries in the queue
   bool closing = false;
-  std::exception_ptr failure;  // of the first frame that could not be written; later ones are dropped
+  std::exception_ptr failure;  // of the first frame that could not be written; later frames are dropped
   std::thread writer;
 };
 
@@ -77,7 +77,7 @@ void BackgroundRecorder::Impl::write_frames() {
     try {
       if (wanted) {
         std::visit([this](const auto& value) { recorder.write(value); }, entry);
-        // What can be resumed from must not wait for the next frame's flush.
+        // A checkpoint must not wait for the flush of the next frame.
         if (std::holds_alternative<Checkpoint>(entry)) recorder.flush();
       }
     } catch (...) {
@@ -126,7 +126,7 @@ void BackgroundRecorder::write(Snapshot snapshot) { impl_->write(std::move(snaps
 
 void BackgroundRecorder::write(Checkpoint checkpoint) { impl_->write(std::move(checkpoint)); }
 
-// The writer has nothing to do before the first frame.
+// Safe without a lock: the writer does nothing before the first frame.
 void BackgroundRecorder::hold_back(std::size_t frame_count) { impl_->recorder.hold_back(frame_count); }
 
 bool BackgroundRecorder::is_published() const { return impl_->recorder.is_published(); }
@@ -137,11 +137,11 @@ void BackgroundRecorder::finish(const RunStatus& status, const RunStatistics& st
     impl_->recorder.finish(status, statistics);
     return;
   }
-  // Where there is room the recording says why it lacks its last frames.
+  // If there is room on the disk, the recording states why its last frames are missing.
   try {
     impl_->recorder.finish({RunReason::storage_failed, status.time, "a frame could not be written"}, statistics);
   } catch (const FileError&) {
-    // What is thrown below says more.
+    // The exception thrown below says more.
   }
   impl_->rethrow();
 }

@@ -1,9 +1,9 @@
 #pragma once
-// A Recorder on a thread of its own: compressing and writing a frame does not hold up what makes the next one.
-// Frames and checkpoints are written in the order in which they are given, some 20 ms later at most. They wait in a
-// queue, as many as kBackgroundFrames and kBackgroundBytes allow (one always); then write() waits. What a Recorder says
-// about crashes holds for the frames that have left the queue. Thread contract: one thread at a time. Errors: throws as
-// a Recorder does, but a frame's failure appears at a later call.
+// A Recorder on its own thread, so that compressing and writing a frame does not delay the simulation of the next one.
+// Frames and checkpoints are written in the order given, about 20 ms later at most. They wait in a queue, which holds
+// up to kBackgroundFrames and kBackgroundBytes, but always at least one. When it is full, write() waits. The guarantees
+// of Recorder about crashes apply to frames that have left the queue.
+// Thread contract: one thread at a time. Errors: as Recorder, but the failure of a frame is thrown by a later call.
 
 #include <memory>
 #include <string>
@@ -19,18 +19,18 @@ class BackgroundRecorder {
  public:
   // Begins the recording before it returns: see Recorder.
   BackgroundRecorder(const std::string& path, const RunOrigin& origin, const Structure& structure, bool overwrite);
-  // Writes what is in the queue; see ~Recorder.
+  // Writes what is in the queue. See ~Recorder.
   ~BackgroundRecorder();
   BackgroundRecorder(const BackgroundRecorder&) = delete;
   BackgroundRecorder& operator=(const BackgroundRecorder&) = delete;
 
   void write(Snapshot snapshot);
   void write(Checkpoint checkpoint);
-  // As Recorder::hold_back: before the first frame.
+  // Like Recorder::hold_back. To be called before the first frame.
   void hold_back(std::size_t frame_count);
-  // Writes what is in the queue, then as Recorder::finish.
+  // Writes what is in the queue, then acts like Recorder::finish.
   void finish(const RunStatus& status, const RunStatistics& statistics);
-  bool is_published() const;  // after finish(): under the name asked for
+  bool is_published() const;  // to be called after finish(): whether the recording has its final name
 
  private:
   struct Impl;

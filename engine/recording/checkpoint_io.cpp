@@ -22,7 +22,7 @@ std::vector<std::int64_t> read_ranges(const InputFile& file, const std::string& 
   return ranges;
 }
 
-// Rows that a killed program announced but did not write have a time of NaN.
+// Rows that a killed program announced but did not write have the time NaN.
 std::vector<double> read_times(const InputFile& file) {
   auto times = InputTable(file, "/checkpoints/time", H5T_FLOAT).read_announced();
   times.erase(std::ranges::find_if_not(times, [](double t) { return std::isfinite(t); }), times.end());

@@ -1,6 +1,6 @@
 #pragma once
-// Checkpoints in an HDF5 file: group /checkpoints. One table holds the numbers of all states, one after the other, and
-// one the texts of all strategies; each checkpoint names its rows of both.
+// Checkpoints in an HDF5 file: group /checkpoints. One table holds the numbers of all states in sequence, another the
+// texts of all strategies. Each checkpoint refers to its rows in both.
 
 #include <string>
 #include <vector>
@@ -16,7 +16,8 @@ class CheckpointTables {
   CheckpointTables(hid_t file, ChunkCodec& codec);
 
   void append(const Checkpoint& checkpoint);
-  // A checkpoint exists when its row of times does: that one is stored when all else is safe.
+  // A checkpoint exists once its row of times is stored. store_times() is to be called when all else is safe on the
+  // disk.
   void store_states();
   void store_times();
 
@@ -32,15 +33,15 @@ class CheckpointReader {
   // Throws Hdf5Error, as read() does.
   explicit CheckpointReader(const InputFile& file);
 
-  const std::vector<double>& times() const { return times_; }  // s, never falling
-  // Whether a strategy took over there.
+  const std::vector<double>& times() const { return times_; }  // s, not decreasing
+  // Whether the strategy was changed at this checkpoint.
   bool changes_strategy(std::size_t index) const { return text_ranges_[2 * index + 1] > 0; }
   Checkpoint read(std::size_t index) const;
 
  private:
   InputTable values_, texts_;
   std::vector<double> times_;
-  std::vector<std::int64_t> value_ranges_, text_ranges_;  // first row, number of rows
+  std::vector<std::int64_t> value_ranges_, text_ranges_;  // pairs: first row, number of rows
 };
 
 }  // namespace netpocket

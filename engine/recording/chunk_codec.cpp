@@ -17,8 +17,8 @@ constexpr std::size_t kStoredBlockHeader = 5;
 constexpr std::uint8_t kEmptyStoredBlock[kStoredBlockHeader] = {0, 0, 0, 0xff, 0xff};  // not the last block
 constexpr std::size_t kChecksumBytes = 4;
 
-// 256 uniformly random bytes have 162 different values on average, 128 equally likely values give 111: beyond 100 a
-// plane would shrink by less than an eighth.
+// 256 uniformly random bytes have 162 distinct values on average; with 128 equally likely values there are 111. A plane
+// with more than 100 would shrink by less than an eighth.
 bool looks_like_noise(std::span<const std::uint8_t> plane) {
   constexpr std::size_t kSample = 256;
   constexpr std::size_t kDistinctValuesOfNoise = 100;
@@ -82,7 +82,7 @@ void ChunkCodec::shuffle(std::span<const std::uint8_t> data, std::size_t element
   }
 }
 
-// `longer`: by an empty block.
+// `longer`: adds an empty block.
 void ChunkCodec::deflate(std::size_t stored_bytes, bool longer) {
   const std::span<const std::uint8_t> all(planes_);
   const auto rest = all.subspan(stored_bytes);

@@ -14,10 +14,11 @@ class FrameTables {
  public:
   FrameTables(hid_t file, const Structure& structure, ChunkCodec& codec);
 
-  // The large tables reach HDF5 at once, the small ones with the next flush().
+  // Large tables are given to HDF5 at once, small ones with store_frames() and store_channels().
   void append(const Snapshot& snapshot);
 
-  // A frame exists when its row of channels does: those rows are stored when all else is safe.
+  // A frame exists once its row of channels is stored. store_channels() is to be called when all else is safe on the
+  // disk.
   void store_frames();
   void store_channels();
 
@@ -32,7 +33,7 @@ class FrameTables {
   void append_single(std::optional<OutputTable>& table, const Matrix& values);
 
   Handle frames_, contacts_;
-  // Tables without columns (no ropes, say) are left out.
+  // Tables without columns (such as of ropes when there are none) are omitted.
   std::optional<OutputTable> position_, velocity_, gradient_, tension_, strain_;
   std::optional<OutputTable> rope_, body_, step_, contact_range_, channels_;
   std::optional<OutputTable> contact_position_, contact_force_, contact_element_, contact_body_;

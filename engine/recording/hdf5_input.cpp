@@ -14,7 +14,7 @@ namespace netpocket {
 namespace {
 
 constexpr double kSmallFile = 1 << 16;
-// Least that a chunk takes up in a file, its place in the index included; HDF5 needs some 200 bytes of memory for each.
+// Smallest size of a chunk in a file, including its index entry, bytes. HDF5 needs about 200 bytes of memory for each.
 constexpr double kSmallestChunk = 16;
 constexpr std::size_t kLongestAttribute = 1 << 16;
 
@@ -26,15 +26,16 @@ double size_of_file(const std::string& path) {
   return static_cast<double>(status.st_size);
 }
 
-// A file with a writer, or whose writer was killed, opens only as SWMR (single writer, multiple readers).
+// A file that is being written, or whose writer was killed, opens only in SWMR mode (single writer, multiple readers).
 Handle open_file(const std::string& path, bool& is_closed) {
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "describe file access");
-  // Writers lock in their own way (output_file.h); HDF5's locks fail on network file systems.
+  // Writers use their own lock (output_file.h). HDF5's locks fail on network file systems.
   checked(H5Pset_file_locking(access.get(), false, true), "describe file access");
   hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get());
   is_closed = file >= 0;
   if (!is_closed) {
-    // A page that is torn because it is being written is whole a moment later; the waits double from a nanosecond.
+    // A page that is torn because it is being written becomes whole a moment later. HDF5 doubles its waits from a
+    // nanosecond.
     checked(H5Pset_metadata_read_attempts(access.get(), 20), "describe file access");
     file = H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access.get());
   }
@@ -45,7 +46,7 @@ bool is_allowed_filter(H5Z_filter_t filter) {
   return filter == H5Z_FILTER_SHUFFLE || filter == H5Z_FILTER_DEFLATE || filter == H5Z_FILTER_FLETCHER32;
 }
 
-// Opens an attribute that holds one value of a class.
+// Opens an attribute that must hold one value of a class.
 Handle open_attribute(const InputFile& file, const std::string& path, const char* name, H5T_class_t type_class) {
   const std::string what = "attribute " + std::string(name);
   if (!file.has(path)) throw Hdf5Error(path + " is missing");
@@ -68,7 +69,7 @@ InputFile::InputFile(const std::string& path) : bytes_(size_of_file(path)) {
 
 bool InputFile::has(const std::string& path) const {
   if (path == "/") return true;
-  // Only hard links: a soft or external link could lead out of what the user named.
+  // Only hard links are followed: soft or external links could lead outside the file that the user named.
   for (std::size_t end = path.find('/', 1); true; end = path.find('/', end + 1)) {
     const std::string part = path.substr(0, end);
     H5L_info_t link = {};

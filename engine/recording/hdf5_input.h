@@ -1,6 +1,6 @@
 #pragma once
-// Reading tables and attributes from an HDF5 file that nobody vouches for. Everything is checked before it is read:
-// kind, type, dimensions, filters, and that its size is possible for a file of this length. Errors: Hdf5Error.
+// Reads tables and attributes from an HDF5 file that is not trusted. Everything is checked before it is read: kind,
+// type, dimensions, filters, and whether its size is possible for a file of this length. Errors: Hdf5Error.
 
 #include <cstdint>
 #include <string>
@@ -10,17 +10,17 @@
 
 namespace netpocket {
 
-// Deflate packs at most 1032 bytes into one.
+// Deflate compresses at most 1032 bytes into one.
 inline constexpr double kLargestCompression = 1032;
 
 class InputFile {
  public:
-  // Opens a finished file, one that is being written, or one whose writer was killed. Throws FileError when it may not
-  // be read.
+  // Opens a finished file, one that is being written, or one whose writer was killed. Throws FileError when it is not
+  // readable.
   explicit InputFile(const std::string& path);
 
   hid_t id() const { return file_.get(); }
-  // Whether its writer has closed it: it was not killed and is not at work.
+  // Whether the writer has closed the file: it was not killed and is not running.
   bool is_closed() const { return is_closed_; }
   bool has(const std::string& path) const;
 
@@ -31,9 +31,9 @@ class InputFile {
   // An integer from 0 to 2^31 - 1.
   std::int32_t read_count_attribute(const std::string& path, const char* name) const;
 
-  // Throws when a file of this length cannot hold that much, however well compressed.
+  // Throws when a file of this length cannot hold so many bytes, even with the best compression.
   void check_plausible(const std::string& what, double bytes) const;
-  // Throws when it cannot hold that many chunks.
+  // Throws when a file of this length cannot hold so many chunks.
   void check_chunk_count(const std::string& what, double chunks) const;
 
  private:
@@ -42,11 +42,11 @@ class InputFile {
   bool is_closed_ = true;
 };
 
-// A dataset of rows of `shape`.
+// A dataset of rows. Each row is an array of `shape`.
 class InputTable {
  public:
   InputTable() = default;
-  // The element type of the file must be of this class (H5T_FLOAT, H5T_INTEGER or H5T_STRING).
+  // The file's element type must be of this class (H5T_FLOAT, H5T_INTEGER or H5T_STRING).
   InputTable(const InputFile& file, const std::string& path, H5T_class_t type_class,
              const std::vector<hsize_t>& shape = {});
 
@@ -61,8 +61,8 @@ class InputTable {
     read_rows(first, count, native_type<T>(), values.data());
     return values;
   }
-  // All rows of the table that announces others. A loss of power can leave a place for its last chunk and nothing in
-  // it; nothing announced there was promised yet, and the rows before it are all.
+  // All rows of a table whose rows announce rows of other tables. After a loss of power its last chunk can have an
+  // index entry but no data. Rows in such a chunk are omitted: nothing was guaranteed for them yet.
   std::vector<double> read_announced() const;
   std::vector<std::string> read_texts() const;
 
@@ -80,7 +80,7 @@ class InputTable {
   std::size_t row_size_ = 1;
 };
 
-// All of a table.
+// Reads all rows of a table.
 template <typename T>
 std::vector<T> read_array(const InputFile& file, const std::string& path, const std::vector<hsize_t>& shape = {}) {
   const InputTable table(file, path, std::is_floating_point_v<T> ? H5T_FLOAT : H5T_INTEGER, shape);

@@ -14,7 +14,7 @@ void write_scalar_attribute(hid_t object, const char* name, hid_t type, const vo
   checked(H5Awrite(attribute.get(), type, value), attempt);
 }
 
-// A floating point row that was announced but never arrived (a killed program) reads as NaN.
+// Floating point rows that a killed program announced but did not write read as NaN.
 void set_fill_value(hid_t properties, hid_t type) {
   if (H5Tget_class(type) != H5T_FLOAT) return;
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -98,7 +98,7 @@ void OutputTable::store() {
   }
   if (full < buffer_.size()) {
     std::vector<std::uint8_t> partial(buffer_.begin() + static_cast<std::ptrdiff_t>(full), buffer_.end());
-    // All ones are NaN: where a loss of power leaves the table's new length and its old chunk, these rows do not exist.
+    // All ones are NaN. If a loss of power leaves the table's new length with its old chunk, these rows do not exist.
     partial.resize(chunk_bytes, 0xff);
     write_chunk(first_buffered_row_ + full / row_bytes_, partial);
   }
@@ -108,8 +108,8 @@ void OutputTable::store() {
 }
 
 void OutputTable::write_chunk(hsize_t first_row, std::span<const std::uint8_t> rows) {
-  // A chunk that has grown and yet takes as many bytes as before would be written in its old place, where a loss of
-  // power can tear it; one of another size gets a new place.
+  // If a chunk that has grown were encoded to the same size, it would be written in its old place, where a loss of
+  // power can tear it. A chunk of another size gets a new place.
   const std::size_t avoided_size = first_row == last_chunk_row_ ? last_chunk_size_ : 0;
   const auto encoded = codec_->encode(rows, element_bytes_, avoided_size);
   last_chunk_row_ = first_row;

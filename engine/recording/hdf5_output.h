@@ -1,5 +1,5 @@
 #pragma once
-// Writing tables and attributes to an HDF5 file.
+// Writes tables and attributes to an HDF5 file.
 
 #include <cstdint>
 #include <memory>
@@ -18,7 +18,7 @@ void write_attribute(hid_t object, const char* name, std::int64_t value);
 
 Handle create_group(hid_t parent, const char* name);
 
-// How a table looks: every row is an array of `shape` (empty: a scalar) of `type`.
+// Description of a table: every row is an array of `shape` (empty: a scalar) of the table's type.
 struct TableLayout {
   const char* name;
   const char* unit;  // SI, "1" for pure numbers, "" for text and indices
@@ -27,8 +27,8 @@ struct TableLayout {
   hsize_t rows_per_chunk = 1;
 };
 
-// A dataset that grows by rows. Rows are buffered by append() and reach the file with store(). Chunks are encoded by
-// the codec and written directly, which keeps HDF5's slower filter pipeline and chunk cache out of the way.
+// A dataset that grows by rows. append() buffers rows and store() writes them to the file. The codec encodes chunks,
+// which are written directly, to avoid HDF5's slower filter pipeline and chunk cache.
 class OutputTable {
  public:
   OutputTable(hid_t parent, hid_t type, const TableLayout& layout, ChunkCodec& codec);
@@ -38,7 +38,7 @@ class OutputTable {
     const auto* bytes = reinterpret_cast<const std::uint8_t*>(values.data());
     buffer_.insert(buffer_.end(), bytes, bytes + values.size_bytes());
   }
-  // Text shorter than the type is padded, longer text is cut.
+  // Text shorter than the type is padded; longer text is truncated.
   void append_text(const std::string& text);
 
   // Writes the buffered rows. The last chunk may be partly filled; it is written again when it has grown.
@@ -59,12 +59,12 @@ class OutputTable {
   ChunkCodec* codec_;
   hsize_t first_buffered_row_ = 0;  // a multiple of rows_per_chunk_
   hsize_t stored_rows_ = 0;
-  hsize_t last_chunk_row_ = 0;       // where the chunk begins that was written last
-  std::size_t last_chunk_size_ = 0;  // in the file, bytes
+  hsize_t last_chunk_row_ = 0;       // first row of the chunk written last
+  std::size_t last_chunk_size_ = 0;  // bytes, in the file
   std::vector<std::uint8_t> buffer_;
 };
 
-// A whole array at once, in one chunk.
+// Writes a whole array as one chunk.
 template <typename T>
 void write_array(hid_t parent, TableLayout layout, const std::vector<T>& values, ChunkCodec& codec) {
   std::size_t row = 1;

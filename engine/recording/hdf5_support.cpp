@@ -7,8 +7,8 @@ namespace netpocket {
 
 namespace {
 
-// HDF5 would close at exit what is still open: files that were damaged under its hands, where it crashes, and files
-// that must not be written any more. All others are closed before.
+// Stops HDF5 from closing open files at exit. Such files were damaged during use, so that closing crashes, or must not
+// be written any more. All others are closed before.
 const herr_t kNoWorkAtExit = H5dont_atexit();
 
 herr_t find_system_reason(unsigned, const H5E_error2_t* error, void* out) {

@@ -1,5 +1,5 @@
 #pragma once
-// The little that reading and writing share over the HDF5 C API: owned identifiers and checked calls.
+// Helpers for the HDF5 C API that reading and writing share: owned identifiers and checked calls.
 
 #include <hdf5.h>
 
@@ -10,20 +10,20 @@
 
 namespace netpocket {
 
-// A failed HDF5 call; the message says what was attempted. Never leaves this library: recorder.cpp and recording.cpp
-// turn it into a RecordingError that names the file.
+// A failed HDF5 call. The message says what was attempted. Never leaves this library: recorder.cpp and recording.cpp
+// convert it to a RecordingError that names the file.
 class Hdf5Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-// HDF5 prints its own error stack unless told otherwise, thread by thread.
+// Stops HDF5 from printing its error stack, for the calling thread.
 void silence_hdf5();
 
 // The operating system's reason in HDF5's error stack ("No space left on device"), or "".
 std::string hdf5_system_reason();
 
-// Throws Hdf5Error when `result` is negative, else returns it.
+// Throws Hdf5Error when `result` is negative; otherwise returns it.
 template <typename T>
 T checked(T result, const std::string& attempt) {
   if (result >= 0) return result;
@@ -46,9 +46,9 @@ class Handle {
   ~Handle() { reset(); }
 
   hid_t get() const { return id_; }
-  // Closes now; false when HDF5 could not.
+  // Closes the identifier now; false when HDF5 could not.
   bool reset() { return id_ < 0 || close_(std::exchange(id_, H5I_INVALID_HID)) >= 0; }
-  // Leaves it open until the program ends.
+  // Leaves the identifier open until the program ends.
   void abandon() { id_ = H5I_INVALID_HID; }
 
  private:
@@ -56,7 +56,7 @@ class Handle {
   Close close_ = nullptr;
 };
 
-// HDF5's name of a C++ number type.
+// HDF5's native type of a C++ number type.
 template <typename T>
 hid_t native_type() {
   if constexpr (std::is_same_v<T, double>) return H5T_NATIVE_DOUBLE;
@@ -66,7 +66,7 @@ hid_t native_type() {
   if constexpr (std::is_same_v<T, std::uint8_t>) return H5T_NATIVE_UINT8;
 }
 
-// UTF-8 text of a fixed number of bytes, padded with zeros. (HDF5's variable-length text carries no checksum.)
+// UTF-8 text of a fixed number of bytes, padded with zeros. (HDF5's variable-length text has no checksum.)
 Handle text_type(std::size_t bytes);
 
 }  // namespace netpocket

@@ -16,7 +16,7 @@ struct Field {
   const char* help;
 };
 
-// The reason comes last: a run has ended when its reason is there.
+// The reason is stored last: a run has ended once its reason is there.
 constexpr std::array<Field, 4> kTexts = {{{"message", "", "one sentence"},
                                           {"step_limit", "", "what limits the integration step"},
                                           {"evaluation", "", "mean_strain or full"},
@@ -61,7 +61,7 @@ double read_number(const InputFile& file, const Field& field) {
   return values[0];
 }
 
-// Whole numbers are stored as doubles, which hold them exactly up to 2^53.
+// Whole numbers are stored as doubles, which are exact up to 2^53.
 template <typename T>
 T whole(double value, double limit) {
   if (!(value >= 0 && value <= limit)) throw Hdf5Error("a count in /outcome is out of range");

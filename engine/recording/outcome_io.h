@@ -1,5 +1,5 @@
 #pragma once
-// How a run ended, in an HDF5 file: group /outcome. Its tables have no row until the run has ended, then one.
+// The end of a run in an HDF5 file: group /outcome. Its tables have no row until the run has ended, then one.
 
 #include <optional>
 #include <vector>

@@ -21,16 +21,16 @@ namespace netpocket {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-// With the time that a flush takes (it waits for the disk four times), less than a second.
+// Less than a second together with the duration of a flush, which waits for the disk four times.
 constexpr std::chrono::milliseconds kFlushInterval(500);
 constexpr const char* kFinished = "the recording is finished";
 
 Handle create_file(const std::string& path) {
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "describe file access");
-  // The newest format of HDF5 1.10: all of its metadata carries checksums, and it allows SWMR.
+  // The newest format of HDF5 1.10. All its metadata has checksums, and it supports SWMR.
   checked(H5Pset_libver_bounds(access.get(), H5F_LIBVER_V110, H5F_LIBVER_V110), "choose the file format");
-  checked(H5Pset_file_locking(access.get(), false, true), "describe file access");  // OutputFile has the lock
-  // Metadata does not lie across the pages of the disk, of which a loss of power may store one and not the next.
+  checked(H5Pset_file_locking(access.get(), false, true), "describe file access");  // OutputFile holds the lock
+  // Bytes. Metadata must not cross pages of the disk: a loss of power may store one page and not the next.
   constexpr hsize_t kPage = 1024;
   const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "describe the file");
   checked(H5Pset_file_space_strategy(creation.get(), H5F_FSPACE_STRATEGY_PAGE, false, 1), "describe the file");
@@ -72,13 +72,13 @@ struct Recorder::Impl {
   void close();
   void ensure_room();
   void require_open() const;
-  // Runs an action on the file; its failure ends the recording.
+  // Runs an action on the file. If it fails, the recording ends.
   template <typename Action>
   void guarded(const Action& action);
 
   OutputFile output;
   ChunkCodec codec;
-  Handle file;  // before the tables, so that it is closed after them
+  Handle file;  // declared before the tables, so that it is closed after them
   std::optional<FrameTables> frames;
   std::optional<CheckpointTables> checkpoints;
   std::optional<OutcomeTables> outcome;
@@ -87,15 +87,15 @@ struct Recorder::Impl {
   double last_time = 0;
   double last_checkpoint_time = 0;
   std::size_t frame_count = 0;
-  std::size_t published_from = 1;  // frames
-  std::string refusal;             // why nothing more can be written, if so
+  std::size_t published_from = 1;  // number of frames from which the recording has its final name
+  std::string refusal;             // why nothing more can be written; empty: it can
 };
 
 void Recorder::Impl::require_open() const {
   if (!refusal.empty()) throw write_error(output.path(), refusal);
 }
 
-// Whatever fails: the system reports a page that it could not write once and then forgets it.
+// Any failure ends the recording: the system reports a page that it could not write only once and then forgets it.
 template <typename Action>
 void Recorder::Impl::guarded(const Action& action) {
   silence_hdf5();
@@ -118,8 +118,8 @@ void Recorder::Impl::create(const RunOrigin& origin, const Structure& model) {
   frames.emplace(file.get(), structure, codec);
   checkpoints.emplace(file.get(), codec);
   outcome.emplace(file.get(), codec);
-  // From here on every write keeps the file readable, whenever the program dies (HDF5's single writer, multiple
-  // readers mode); the price is that no dataset or attribute can be added any more.
+  // From here on every write keeps the file readable, whenever the program dies (HDF5's mode "single writer, multiple
+  // readers"). In return, no dataset or attribute can be added any more.
   checked(H5Fstart_swmr_write(file.get()), "make the file safe against crashes");
 }
 
@@ -150,7 +150,7 @@ void Recorder::Impl::check_order(const Snapshot& snapshot) const {
   }
 }
 
-// Numbers are stored in single precision, where those beyond its range become infinite.
+// Numbers are stored in single precision. Those beyond its range would become infinite.
 void Recorder::Impl::check_numbers(const Snapshot& snapshot) const {
   constexpr double kLargest = std::numeric_limits<float>::max();
   const auto is_storable = [](const auto& values) {
@@ -176,7 +176,7 @@ void Recorder::Impl::check_numbers(const Snapshot& snapshot) const {
   }
 }
 
-// What is found wrong before the file is touched does not end the recording.
+// Errors found before the file is touched do not end the recording.
 void Recorder::Impl::write(const Snapshot& snapshot) {
   require_open();
   check_sizes(snapshot);
@@ -184,7 +184,7 @@ void Recorder::Impl::write(const Snapshot& snapshot) {
   check_numbers(snapshot);
   ensure_room();
   guarded([&] {
-    output.require_whole();  // before more is written: that would hide it
+    output.require_whole();  // checked first, because writing more would hide it
     frames->append(snapshot);
     last_time = snapshot.time;
     ++frame_count;
@@ -205,7 +205,7 @@ void Recorder::Impl::write(const Checkpoint& checkpoint) {
   last_checkpoint_time = checkpoint.time;
 }
 
-// All frames and checkpoints so far are in the file and on the disk.
+// Puts all frames and checkpoints so far into the file and on the disk.
 void Recorder::Impl::store() {
   require_open();
   if (frame_count == 0) return;
@@ -227,7 +227,7 @@ void Recorder::Impl::flush() {
   output.require_name();
 }
 
-// Chunks are on the disk before the indexes that lead to them: an index on the disk never leads to nothing.
+// Chunks are on the disk before the indexes that refer to them, so no index on the disk refers to missing data.
 void Recorder::Impl::make_safe() {
   output.sync();
   checked(H5Fflush(file.get(), H5F_SCOPE_LOCAL), "flush the file");
@@ -254,16 +254,16 @@ bool Recorder::Impl::close_file() {
   return file.reset();
 }
 
-// Without finish().
+// For a recording without finish().
 void Recorder::Impl::close() {
   silence_hdf5();
   try {
     if (refusal.empty() && frames) store();
   } catch (const std::exception&) {
-    // The frames of the last flush are safe; a destructor cannot say more.
+    // The frames of the last flush are safe. A destructor cannot report more.
   }
-  // HDF5 writes when it closes a file. After a failed write that could lead to what never reached the disk: the file is
-  // left as if the program had been killed here.
+  // HDF5 writes when it closes a file. After a failed write, new indexes could refer to data that never reached the
+  // disk. The file is left as if the program had been killed here.
   if (!refusal.empty() && output.is_published()) file.abandon();
   close_file();
   output.close();

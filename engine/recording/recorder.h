@@ -1,7 +1,7 @@
 #pragma once
-// Writes a run to an HDF5 file, frame by frame. Layout: engine/recording/FORMAT.md.
+// Writes a run to an HDF5 file, frame by frame. engine/recording/FORMAT.md describes the layout.
 // Thread contract: one thread at a time. Errors: FileError with one sentence that names the file; RecordingError for
-// what no recording can hold.
+// data that no recording can hold.
 
 #include <limits>
 #include <memory>
@@ -15,13 +15,13 @@
 
 namespace netpocket {
 
-// What is, or would become, no valid recording.
+// A file that is not a valid recording, or data that would not give one.
 class RecordingError : public FileError {
  public:
   using FileError::FileError;
 };
 
-// What a recording says about where it comes from.
+// Origin of a run as its recording stores it.
 struct RunOrigin {
   std::string scenario_name;
   std::string scenario_text;  // complete TOML, as run (after --set)
@@ -30,38 +30,38 @@ struct RunOrigin {
   std::string command;  // command line or "workbench"
   int seed = 0;
   int threads = 1;
-  double closing_end = std::numeric_limits<double>::quiet_NaN();   // s, when the closing law ends; NaN: unknown
+  double closing_end = std::numeric_limits<double>::quiet_NaN();   // s, end of the closing law; NaN: unknown
   double towing_start = std::numeric_limits<double>::quiet_NaN();  // s; NaN: no towing
 };
 
 class Recorder {
  public:
-  // Creates the file. Refuses to replace an existing one unless `overwrite`; then the old file stays until the new one
-  // holds its first frame: until that moment the recording is called `path` + ".part". Two recorders never write the
-  // same file; one Recording or more may read it meanwhile.
+  // Creates the file. Refuses to replace an existing one unless `overwrite`. Until it holds its first frame, the
+  // recording is called `path` + ".part", and an existing file stays. Two recorders never write the same file. Any
+  // number of Recording objects may read it meanwhile.
   Recorder(const std::string& path, const RunOrigin& origin, const Structure& structure, bool overwrite);
   // Without finish(): keeps every frame written, with the reason `running`. A recording without a frame is removed.
   ~Recorder();
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  // For a recording that repeats an older one: it keeps its working name until it holds this many frames, and is
-  // removed when it ends with fewer. To be called before the first frame.
+  // For a recording that repeats an older one. It keeps its working name until it has this many frames, and is removed
+  // when it ends with fewer. To be called before the first frame.
   void hold_back(std::size_t frame_count);
 
-  // Adds a frame. Its sizes are those of the structure, its numbers are finite and its time is not before the last
-  // frame's. At most one second of wall time after the previous flush, all frames are flushed: they survive the death
-  // of the program and of the machine.
+  // Adds a frame. Its sizes must be those of the structure, its numbers finite, and its time not before that of the
+  // last frame. All frames are flushed at most one second (wall time) after the previous flush. They then survive the
+  // death of the program and of the machine.
   void write(const Snapshot& snapshot);
-  // Adds a state from which the run can be resumed. Its time is not before the last checkpoint's.
+  // Adds a state from which the run can be resumed. Its time must not be before that of the last checkpoint.
   void write(const Checkpoint& checkpoint);
-  // Makes all frames survive now; for callers that pause.
+  // Flushes all frames now, for callers that pause.
   void flush();
-  bool is_published() const;  // under the name asked for
-  // Stores how the run ended and closes the file. A recording without it is one whose program was killed. Where the
-  // disk is full the frames before remain, and finish() still stores the reason. After a write that failed on the way
-  // to the disk nothing more is written: what the system has stored of it is not known. When the file has lost its
-  // name, all is written and FileError thrown.
+  bool is_published() const;  // whether it has its final name
+  // Stores how the run ended and closes the file. A recording without an outcome is one whose program was killed. When
+  // the disk is full, earlier frames remain and finish() still stores the reason. After a write failed on the way to
+  // the disk, nothing more is written, because it is not known what the system has stored. When the file has lost its
+  // name, everything is written and FileError is thrown.
   void finish(const RunStatus& status, const RunStatistics& statistics);
 
  private:

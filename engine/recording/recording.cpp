@@ -25,13 +25,13 @@ std::string read_text(const InputFile& file, const std::string& path) {
   return texts[0];
 }
 
-// Returns the version of the format.
+// Checks the format and returns its version.
 std::int32_t check_format(const InputFile& file) {
   std::string format;
   try {
     format = file.read_text_attribute("/", "format");
   } catch (const Hdf5Error&) {
-    // Some other program's HDF5 file.
+    // An HDF5 file of some other program.
   }
   if (format != layout::kFormat) throw Hdf5Error("it is not a Netpocket recording");
   const std::int32_t version = file.read_count_attribute("/", "format_version");
@@ -63,14 +63,14 @@ std::vector<std::string> divided(const std::string& text, char separator) {
   return parts;
 }
 
-// Earlier versions of this program stored names and units only.
+// Earlier versions of this program stored only names and units.
 std::vector<std::string> read_optional_list(const InputFile& file, const char* name, char separator) {
   constexpr const char* kChannels = "/frames/channels";
   if (!file.has_attribute(kChannels, name)) return {};
   return divided(file.read_text_attribute(kChannels, name), separator);
 }
 
-// What this program knows of a channel whose file says no more than its name.
+// Information on a channel for which the file has only its name.
 ChannelInfo known_info(const std::string& name) {
   const auto index = known_channels()->find(name);
   return index ? (*known_channels())[*index] : ChannelInfo{name, "", "", ChannelKind::value};
@@ -105,7 +105,7 @@ BodyState body_state(const double* n) {
   return body;
 }
 
-// The tables of a frame, as FORMAT.md lists them. Tables without columns are absent.
+// The tables of frames that FORMAT.md lists. Tables without columns are absent.
 struct Tables {
   Tables(const InputFile& file, const Structure& structure);
   void check_rows(std::size_t frames) const;
@@ -169,8 +169,8 @@ struct Recording::Impl {
   std::optional<CheckpointReader> checkpoints;
   const std::vector<double>& times() const { return channels[channel_list->find(Channel::time).value()]; }
   std::shared_ptr<const ChannelList> channel_list;
-  std::vector<std::vector<double>> channels;  // by channel_list
-  std::vector<double> not_recorded;           // by frame: NaN
+  std::vector<std::vector<double>> channels;  // in the order of channel_list
+  std::vector<double> not_recorded;           // NaN, by frame
 };
 
 void Recording::Impl::open() {
@@ -185,8 +185,8 @@ void Recording::Impl::open() {
   complete_outcome();
 }
 
-// The channels come before the other tables: while another program adds frames, those are complete up to the last row
-// of channels. Rows that a killed program announced but did not write have a time of NaN.
+// The channels are read before the other tables. While another program adds frames, the other tables are complete up to
+// the last row of channels. Rows that a killed program announced but did not write have the time NaN.
 void Recording::Impl::read_channels() {
   channel_list = read_channel_list(file);
   const std::size_t columns = channel_list->size();
@@ -312,7 +312,7 @@ const std::vector<double>& Recording::channel(Channel c) const {
 
 bool Recording::has_channel(Channel c) const { return impl_->channel_list->has(c); }
 
-// What `read` returns for a frame that exists.
+// Returns the result of `read` for an existing frame.
 template <typename Read>
 static auto checked_frame(const Recording& recording, std::size_t index, const Read& read) {
   if (index >= recording.frame_count()) {

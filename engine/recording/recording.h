@@ -1,9 +1,9 @@
 #pragma once
-// Reads a recorded run, also one that is still being written: then as far as it was flushed when it was opened. Node
-// data are read frame by frame, so only the channels' memory grows with the length of the run.
-// Quantities are as precise as they are stored (FORMAT.md): node, element and contact data in single precision.
-// Thread contract: one thread at a time per object. Errors: throws RecordingError with one sentence that names the
-// file; FileError where it cannot be opened although it is there.
+// Reads a recorded run. A run that is still being written is read as far as it was flushed when it was opened. Node
+// data are read frame by frame, so only the memory for channels grows with the length of the run. Quantities have the
+// precision in which they are stored (FORMAT.md): node, element and contact data are in single precision.
+// Thread contract: one thread at a time per object. Errors: RecordingError with one sentence that names the file;
+// FileError when the file exists but cannot be opened.
 
 #include <memory>
 #include <string>
@@ -28,19 +28,19 @@ class Recording {
 
   std::size_t frame_count() const;
   const std::vector<double>& times() const;  // s, by frame
-  // Those that the file has, in its order; also that of its frames' values.
+  // The channels of the file, in its order. The channel values of frames have the same order.
   const std::shared_ptr<const ChannelList>& channels() const;
   const std::vector<double>& channel(std::size_t index) const;  // by frame
-  const std::vector<double>& channel(Channel c) const;          // by frame; NaN where the file does not have it
+  const std::vector<double>& channel(Channel c) const;          // by frame; NaN when the file does not have it
   bool has_channel(Channel c) const;
   Snapshot frame(std::size_t index) const;
-  // The contact points of a frame alone: much quicker than the whole of it.
+  // Only the contact points of a frame. Much faster than frame().
   std::vector<ContactPoint> contacts(std::size_t index) const;
-  // States from which the run can be resumed, by time.
+  // Checkpoints: states from which the run can be resumed, sorted by time.
   const std::vector<double>& checkpoint_times() const;  // s
-  bool changes_strategy(std::size_t checkpoint) const;  // whether another strategy took over there
+  bool changes_strategy(std::size_t checkpoint) const;  // whether the strategy was changed at this checkpoint
   Checkpoint checkpoint(std::size_t index) const;
-  // Index of the frame nearest to a time; throws when there is no frame.
+  // Index of the frame nearest to a time (s). Throws when there is no frame.
   std::size_t frame_at(double time) const;
 
  private:

@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* kNotRecorded = "not recorded";
 
-// Frame at which a channel is largest; nothing when it is nowhere positive.
+// Frame at which a channel is largest; nothing when it is never positive.
 std::optional<std::size_t> largest(const std::vector<double>& values) {
   std::optional<std::size_t> frame;
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -21,7 +21,7 @@ std::optional<std::size_t> largest(const std::vector<double>& values) {
   return frame;
 }
 
-// A file may hold what is no index.
+// Null for a value that is not an index: the file may hold any number.
 template <typename Item>
 const Item* item_at(const std::vector<Item>& items, double index) {
   const bool is_index = index >= 0 && index < static_cast<double>(items.size());
@@ -33,7 +33,7 @@ std::string cord_name(const Structure& structure, double index) {
   return fmt::format("{} (element {})", structure.threads[static_cast<std::size_t>(element.thread)], index);
 }
 
-// 23456 as "23000".
+// Rounds to two digits: 23456 becomes "23000".
 std::string rounded_text(double value) {
   const double digit = std::pow(10, std::floor(std::log10(value)) - 1);
   return fmt::format("{:g}", digit * std::round(value / digit));

@@ -1,6 +1,6 @@
 #pragma once
-// What a recording says about how far its run can be trusted: how deep contacts went, and why, and how often safeguards
-// acted. Recordings made before the channels existed do not know.
+// Shows how far a run can be trusted: how deep its contacts went and why, and how often safeguards acted. Recordings
+// made before these channels existed do not contain this.
 
 #include <optional>
 #include <string>
@@ -12,19 +12,19 @@
 namespace netpocket {
 
 struct DeepestContact {
-  double time = 0;       // s, of the frame that follows it
+  double time = 0;       // s, of the frame that follows the contact
   double depth = 0;      // m
-  double part = 0;       // the depth by the cord's radius, of two cords by the sum of theirs
-  double stiffness = 1;  // of the contact, by that of the materials
+  double part = 0;       // depth as a fraction of the cord's radius; for two cords of the sum of their radii
+  double stiffness = 1;  // stiffness of the contact as a fraction of that of the materials
   std::string cord;      // "panel 3 row 2 (element 12)"
   std::string partner;   // "the target", or the other cord
 };
 
-// Nothing where there was no contact, or where it was not recorded.
+// Nothing when there was no contact, or when it was not recorded.
 std::optional<DeepestContact> deepest_penetration(const Recording& recording);  // of a cord into a body
 std::optional<DeepestContact> deepest_overlap(const Recording& recording);      // of two cords
 
-// How deep, where, when, and how stiff the contact is: one sentence, or "none".
+// Depth, place, time and stiffness of the contact in one sentence, or "none".
 std::string penetration_text(const Recording& recording);
 std::string overlap_text(const Recording& recording);
 
@@ -34,9 +34,9 @@ struct SafeguardCount {
   double value = 0;
 };
 
-// At the end of the run; empty where they were not recorded.
+// Counts at the end of the run; empty when they were not recorded.
 std::vector<SafeguardCount> safeguard_counts(const Recording& recording);
-// "steps shortened 120, overlaps parted 7", those that have acted; or that none has.
+// Safeguards that have acted, such as "steps shortened 120, overlaps parted 7", or that none has.
 std::string safeguards_text(const Recording& recording);
 
 }  // namespace netpocket

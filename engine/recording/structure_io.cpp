@@ -18,7 +18,7 @@ constexpr char kGroup[] = "/structure";
 
 enum ShapeKind : std::uint8_t { kSphere, kBox, kCylinder, kSatellite, kMesh };
 
-// A shape is stored as its kind, its sizes and, for a mesh, the mesh's row.
+// A shape as it is stored: kind, sizes and, for a mesh, the row of the mesh.
 struct StoredShape {
   std::uint8_t kind;
   Eigen::Vector3d size = Eigen::Vector3d::Zero();
@@ -57,7 +57,7 @@ Shape restore(const StoredShape& stored, const std::vector<MeshPointer>& meshes)
   throw Hdf5Error("a body has an unknown shape");
 }
 
-// Each mesh once, however many bodies have it.
+// Stores each mesh once, however many bodies have it.
 class MeshRows {
  public:
   std::int32_t row(const Shape& shape) {
@@ -276,7 +276,7 @@ std::vector<StructureBody> read_bodies(const InputFile& file) {
   const auto shapes = read_rows<std::uint8_t>(file, "body_shape", count);
   const auto sizes = read_rows<double>(file, "body_size", count, {3});
   const auto masses = read_rows<double>(file, "body_mass", count);
-  // Files from before satellites and meshes have neither.
+  // Files made before satellites and meshes existed have neither table.
   const bool has_details = file.has(at("body_detail"));
   const auto details =
       has_details ? read_rows<double>(file, "body_detail", count, {3}) : std::vector<double>(3 * count);

@@ -9,11 +9,10 @@ namespace netpocket {
 
 void write_structure(hid_t file, const Structure& structure, ChunkCodec& codec);
 
-// Checks that every index lies inside what it points into. Throws Hdf5Error with the reason.
-// `version` of the format.
+// Reads a structure of a `version` of the format. Checks that every index is valid. Throws Hdf5Error with the reason.
 Structure read_structure(const InputFile& file, std::int32_t version);
 
-// What is wrong with a structure's indices, in a few words; empty when they are all valid.
+// What is wrong with a structure (indices, counts, sizes, roles, looks), in a few words; empty when it is valid.
 std::string find_fault(const Structure& structure);
 
 }  // namespace netpocket

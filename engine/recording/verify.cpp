@@ -58,8 +58,8 @@ class Verifier {
     }
   }
 
-  // Chunks hold whole rows (FORMAT.md). They are read as they are stored and their checksums computed here, those of
-  // rows that no frame uses too.
+  // Chunks hold whole rows (FORMAT.md). They are read as stored and their checksums are computed here, including those
+  // of rows that no frame uses.
   void check_table(hid_t file, const std::string& name) {
     try {
       const Handle table(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose, "open " + name);
@@ -79,7 +79,7 @@ class Verifier {
     std::vector<hsize_t> offset(H5S_MAX_RANK);
     offset[0] = row;
     hsize_t size = 0;
-    // Rows announced by a killed program may have no chunk.
+    // Rows that a killed program announced may have no chunk.
     if (H5Dget_chunk_storage_size(table, offset.data(), &size) < 0 || size == 0) return;
     file_.check_plausible(name, static_cast<double>(size));
     std::vector<std::uint8_t> bytes(size);
@@ -90,7 +90,7 @@ class Verifier {
     if (!has_valid_checksum(bytes)) add(fmt::format("{}: the chunk at row {} is damaged", name, row));
   }
 
-  // The last four bytes of a chunk, little-endian.
+  // The checksum is the last four bytes of a chunk, little-endian.
   static bool has_valid_checksum(std::span<const std::uint8_t> bytes) {
     if (bytes.size() < kChecksumBytes) return false;
     const auto stored = bytes.last(kChecksumBytes);

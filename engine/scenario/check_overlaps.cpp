@@ -13,10 +13,10 @@
 namespace netpocket {
 namespace {
 
-constexpr int kSamples = 40;  // along each edge of a sampled surface
+constexpr int kSamples = 40;  // intervals along each edge of a sampled surface
 
-// Signed distance of a world point from a body's surface, m, negative inside; exact inside and near faces, and never
-// too large outside.
+// Signed distance (m) of a world point from a body's surface, negative inside. Exact inside and near faces; a lower
+// bound elsewhere.
 using Distance = std::function<double(const Eigen::Vector3d&)>;
 
 Distance distance_from_target(const TargetParameters& target, const Shape& shape) {
@@ -25,7 +25,7 @@ Distance distance_from_target(const TargetParameters& target, const Shape& shape
   return [target, &shape, radius, to_body](const Eigen::Vector3d& point) {
     const Eigen::Vector3d arm = point - target.position;
     const double least = arm.norm() - radius;
-    constexpr double kFar = 1.0;  // m, where the distance need not be exact
+    constexpr double kFar = 1.0;  // m, beyond which the distance need not be exact
     return least > kFar ? least : nearest_surface_point(shape, to_body * arm).distance;
   };
 }
@@ -49,7 +49,7 @@ struct Deepest {
   }
 };
 
-// Of the pocket's rods and panels, with the thickness of rods and cords.
+// Deepest point of the pocket's rods and panels in a body. Accounts for the radii of rods and cords.
 Deepest deepest_in_pocket(const Scenario& scenario, const Distance& distance, double rod_radius, double cord_radius) {
   Deepest deepest;
   for (const PanelOutline& panel : panel_outlines(scenario)) {
@@ -64,7 +64,7 @@ Deepest deepest_in_pocket(const Scenario& scenario, const Distance& distance, do
   return deepest;
 }
 
-// Of the spacecraft's bus, inside included.
+// Deepest point of the spacecraft's bus in a body, including its interior.
 Deepest deepest_in_bus(const SpacecraftParameters& spacecraft, const Distance& distance) {
   Deepest deepest;
   const Eigen::Vector3d corner = spacecraft.position - spacecraft.size / 2;
@@ -105,7 +105,7 @@ void check_overlaps(const Scenario& scenario, const Shape& target_shape, Diagnos
                      .message = "the target starts inside the spacecraft: they overlap " + place(bus_in_target)});
   }
 
-  // The rods are clamped to the bus, so that the net may touch its surface.
+  // The rods are clamped to the bus, so the net may touch its surface.
   constexpr double kTouching = 1e-6;  // m
   const auto net_in_bus = deepest_in_pocket(scenario, spacecraft, 0, 0);
   if (net_in_bus.distance < -kTouching) {

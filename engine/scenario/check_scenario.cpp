@@ -32,7 +32,7 @@ class Checker {
     const auto shape = target_shape(s_);
     if (const auto* problem = std::get_if<Diagnostic>(&shape)) found_.add(*problem);
     if (!found_.ok()) return found_;
-    // What follows needs a valid profile and shape.
+    // The following checks need a valid profile and shape.
     check_mesh();
     check_closing();
     check_overlaps(s_, std::get<Shape>(shape), found_);
@@ -50,7 +50,7 @@ class Checker {
     }
   }
 
-  // No body has a moment of inertia above the sum of the other two.
+  // A principal moment of inertia cannot exceed the sum of the other two.
   void check_inertia(std::string_view key, const Eigen::Vector3d& inertia) {
     const double largest = inertia.maxCoeff();
     const double others = inertia.sum() - largest;
@@ -159,7 +159,7 @@ class Checker {
       return;
     }
     if (table.front().x() != 0) add("closing.table", fmt::format("must start at time 0, not {} s", table.front().x()));
-    constexpr double kTolerance = 0.01;  // the paper itself prints 5.78 for 5.786 m
+    constexpr double kTolerance = 0.01;  // the paper itself prints 5.78 m for 5.786 m
     if (std::abs(table.front().y() - open) > kTolerance * open) {
       add("closing.table", fmt::format("must start with the {:.6g} m between the open tips (to 1 %), not {} m", open,
                                        table.front().y()));
@@ -170,7 +170,7 @@ class Checker {
         return;
       }
     }
-    // The first row is that of the open pocket. Ropes may be paid out again, but only what has been wound in.
+    // The first row describes the open pocket. Ropes may be paid out again, but only to their open length.
     for (std::size_t i = 1; i < table.size(); ++i) {
       if (table[i].y() <= open) continue;
       add("closing.table",

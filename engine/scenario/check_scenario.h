@@ -1,19 +1,19 @@
 #pragma once
-// Whether a scenario makes sense as a whole.
+// Checks a scenario as a whole.
 
 #include "engine/base/diagnostics.h"
 #include "engine/scenario/scenario.h"
 
 namespace netpocket {
 
-// Meshes with more elements are refused.
+// Larger meshes are refused.
 inline constexpr double kLargestElementCount = 2e6;
 // Runs that would record more frames are refused.
 inline constexpr double kLargestFrameCount = 1e6;
 
-// What is wrong: first each parameter against its limits and, if these hold, the parameters against each other: rods,
-// closing, inertia, sizes of mesh and recording, and whether target and spacecraft start clear of the pocket and of
-// each other. A scenario that passes can be simulated. Any thread may call it.
+// Problems of a scenario. First checks each parameter against its limits. If these hold, checks the parameters against
+// each other: rods, closing, inertia, sizes of mesh and recording, and whether target and spacecraft start clear of the
+// pocket and of each other. A scenario that passes can be simulated. Thread contract: any thread may call it.
 Diagnostics check_scenario(const Scenario& scenario);
 
 }  // namespace netpocket

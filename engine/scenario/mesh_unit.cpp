@@ -12,7 +12,7 @@ double metres(MeshUnit unit) {
 }
 
 MeshUnit likely_unit(double extent) {
-  constexpr double kSmallest = 0.5, kLargest = 15;  // m, of what a pocket catches
+  constexpr double kSmallest = 0.5, kLargest = 15;  // m, of bodies that a pocket can catch
   constexpr std::array kOrder = {MeshUnit::metre, MeshUnit::millimetre, MeshUnit::centimetre, MeshUnit::inch,
                                  MeshUnit::foot};
   MeshUnit best = MeshUnit::metre;

@@ -1,14 +1,15 @@
 #pragma once
-// The unit of a mesh file's coordinates, which the file does not name.
+// Units of the coordinates in a mesh file. The file does not name its unit.
 
 #include "engine/scenario/scenario.h"
 
 namespace netpocket {
 
+// Length of one unit, m.
 double metres(MeshUnit unit);
 
-// The unit in which a body of this extent (coordinates as they are) is most likely written: the one in which it fits a
-// pocket, metres and millimetres first; else the one in which it comes nearest to that.
+// Most likely unit of a body of this extent (in units of the file). It is the first in which the body fits a pocket;
+// metres and millimetres are tried first. If there is none, it is the unit that comes nearest to that.
 MeshUnit likely_unit(double extent);
 
 }  // namespace netpocket

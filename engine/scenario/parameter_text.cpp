@@ -15,9 +15,9 @@ struct Overloaded : Lambdas... {
   using Lambdas::operator()...;
 };
 template <typename... Lambdas>
-Overloaded(Lambdas...) -> Overloaded<Lambdas...>;  // Clang 14 does not deduce it
+Overloaded(Lambdas...) -> Overloaded<Lambdas...>;  // Clang 14 cannot deduce it
 
-// The fewest digits that read back as the same double; 12e9 for 12000000000 and 1e-5 for 1e-05.
+// Fewest digits that read back as the same double. Writes 12e9 for 12000000000 and 1e-5 for 1e-05.
 std::string number_text(double number) {
   std::string text = fmt::format("{}", number);
   if (const auto zero = text.find("e-0"); zero != text.npos) text.erase(zero + 2, 1);
@@ -46,7 +46,7 @@ std::size_t character_count(std::string_view utf8) {
   return std::count_if(utf8.begin(), utf8.end(), [](char c) { return (c & 0xC0) != 0x80; });
 }
 
-// The first of the numbers in a value that the limits exclude.
+// First number of a value that is outside the limits.
 std::optional<double> outlier(const Limits& limits, const ParameterValue& value) {
   const auto in = [&limits](const auto& numbers) -> std::optional<double> {
     for (const double number : numbers) {
@@ -145,7 +145,7 @@ std::optional<std::string> limit_problem(const Parameter& parameter, const Param
   if (!std::isfinite(*number)) return fmt::format("must be finite, not {}", *number);
   const bool pairs = parameter.type == ParameterType::pairs;
   const bool several = pairs || parameter.type == ParameterType::vector;
-  // Pairs have a unit per column, which would not fit both numbers.
+  // Pairs have a unit per column, so no unit fits both numbers.
   const std::string allowed = pairs ? allowed_text(parameter) : with_unit(allowed_text(parameter), parameter.unit);
   return fmt::format("{}must be {}, not {}", several ? "each number " : "", allowed, number_text(*number));
 }

@@ -1,7 +1,7 @@
 #pragma once
-// The parameter table: every parameter of a Scenario, declared once. Reading, writing, range checks, "did you mean",
-// the editor's form and scenarios/REFERENCE.md all come from it. Defaults are those of a default-constructed Scenario.
-// Everything here is constant: any thread may use it.
+// The parameter table declares every parameter of a Scenario once. Reading, writing, range checks, "did you mean", the
+// editor's form and scenarios/REFERENCE.md all use it. Defaults are those of a default-constructed Scenario.
+// Thread contract: everything here is constant, so any thread may use it.
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -16,10 +16,10 @@
 
 namespace netpocket {
 
-// In the order of ParameterValue's alternatives.
+// In the order of the alternatives of ParameterValue.
 enum class ParameterType { number, integer, boolean, text, choice, vector, pairs };
 
-// One of a parameter's named choices.
+// Value of a parameter with named choices.
 struct Choice {
   int index = 0;  // into Parameter::choices
   bool operator==(const Choice&) const = default;
@@ -28,7 +28,7 @@ struct Choice {
 using ParameterValue =
     std::variant<double, std::int64_t, bool, std::string, Choice, Eigen::Vector3d, std::vector<Eigen::Vector2d>>;
 
-// Limits of a number, of each number of a vector or list of pairs, or of the length of a text in characters.
+// Limits of a number, of each number of a vector or list of pairs, or of the length of a text (characters).
 struct Limits {
   double minimum = 0;
   double maximum = 0;
@@ -41,17 +41,18 @@ struct Limits {
 };
 
 struct Parameter {
-  std::string_view key;  // "net.diameter"; a key without a dot stands at the top of the file
+  std::string_view key;  // "net.diameter"; a key without a dot belongs to the top level of the file
   ParameterType type;
-  Limits limits;            // booleans and choices have none
-  std::string_view unit;    // empty for dimensionless ones; "m, m" by column for pairs
+  Limits limits;            // unused by booleans and choices
+  std::string_view unit;    // empty when dimensionless; for pairs one per column: "m, m"
   std::string_view help;    // one line
-  std::string_view source;  // where the default comes from; "paper" is Tang et al. 2023
+  std::string_view source;  // source of the default; "paper" is Tang et al. 2023
   std::span<const std::string_view> choices;
 
-  // The value in a scenario.
+  // Gets the value from a scenario.
   ParameterValue (*get)(const Scenario&);
-  // Sets it. The value must hold the alternative of `type` (else std::bad_variant_access) and be within the limits.
+  // Sets the value in a scenario. It must hold the alternative of `type` (else throws std::bad_variant_access) and be
+  // within the limits.
   void (*set)(Scenario&, const ParameterValue&);
 
   constexpr std::string_view group() const {
@@ -64,7 +65,7 @@ struct Parameter {
   }
 };
 
-// A TOML table and its parameters; the first group, with an empty name, is the top of the file.
+// A TOML table of parameters. The first group has an empty name and is the top level of the file.
 struct ParameterGroup {
   std::string_view name;   // "net"
   std::string_view title;  // "Net cords"
@@ -76,14 +77,14 @@ std::span<const Parameter> parameters();
 std::span<const ParameterGroup> parameter_groups();
 std::span<const Parameter> parameters_of(const ParameterGroup& group);
 
-// Whether scenarios of earlier versions had this parameter: they stay readable, and what it says has no effect.
+// Whether scenarios of earlier versions had this parameter. Such scenarios stay readable; the value has no effect.
 bool is_retired_parameter(std::string_view key);
 
-// Null when there is no such parameter.
+// Null when there is no such parameter or group.
 const Parameter* find_parameter(std::string_view key);
 const ParameterGroup* find_parameter_group(std::string_view name);
 
-// The parameter's key (the group's name) that somebody who wrote `unknown` most likely meant, if any is near.
+// The existing key, group name or choice that the author of `unknown` most likely meant; nothing when none is similar.
 std::optional<std::string_view> nearest_parameter_key(std::string_view unknown);
 std::optional<std::string_view> nearest_group_name(std::string_view unknown);
 std::optional<std::string_view> nearest_choice(const Parameter& parameter, std::string_view unknown);

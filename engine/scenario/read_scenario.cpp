@@ -20,14 +20,14 @@ namespace netpocket {
 namespace {
 
 constexpr std::size_t kListedProblems = 20;
-constexpr int kDeepestKey = 8;  // dots; parameters have one
+constexpr int kDeepestKey = 8;  // dots; keys of parameters have at most one
 
 std::string unknown_text(std::string_view kind, std::optional<std::string_view> nearest) {
   if (nearest) return fmt::format("is not {}; did you mean '{}'?", kind, *nearest);
   return fmt::format("is not {}; scenarios/REFERENCE.md lists them all", kind);
 }
 
-// A message of the parser, which repeats what stands in the file, as one line of bounded length.
+// A message of the parser as one line of limited length. It may quote any text of the file.
 std::string printable(std::string_view message) {
   constexpr std::size_t kLongest = 300;
   std::size_t end = std::min(message.size(), kLongest);
@@ -38,7 +38,7 @@ std::string printable(std::string_view message) {
   return end < message.size() ? line + "..." : line;
 }
 
-// Either a table or the problem that kept the parser from making one.
+// The parsed table, or the problem that prevented parsing.
 std::variant<toml::table, Diagnostic> parse(std::string_view text) {
   if (const int line = line_of_too_deep_key(text, kDeepestKey)) {
     return Diagnostic{.line = line, .message = fmt::format("a key with more than {} dots", kDeepestKey)};
@@ -50,7 +50,7 @@ std::variant<toml::table, Diagnostic> parse(std::string_view text) {
   }
 }
 
-// Goes through a parsed file and sets what it finds.
+// Sets the parameters that a parsed file contains.
 class FileReader {
  public:
   explicit FileReader(Scenario& scenario) : scenario_(scenario) {}
@@ -59,7 +59,7 @@ class FileReader {
     for (const auto& [key, node] : file) read_top(key.str(), node);
   }
 
-  // In the order of the file, with its name.
+  // Sorted by line, with the name of the file.
   Diagnostics diagnostics(const std::string& file) {
     std::stable_sort(problems_.begin(), problems_.end(), [](const auto& a, const auto& b) { return a.line < b.line; });
     Diagnostics result;
@@ -78,7 +78,7 @@ class FileReader {
   struct Problem {
     int line;
     std::string key;
-    std::function<std::string()> message;  // made when listed: to look for near names costs more than to read
+    std::function<std::string()> message;  // called only if listed: finding similar names is slower than reading
   };
 
   void read_top(std::string_view key, const toml::node& node) {
@@ -126,8 +126,8 @@ class FileReader {
   std::vector<Problem> problems_;
 };
 
-// The file's text or one sentence why there is none. Reads one byte more than allowed at most, so that devices that
-// never end do no harm.
+// The file's text, or one sentence that says why it cannot be read. Reads at most one byte more than allowed, so that
+// endless devices do no harm.
 std::variant<std::string, Diagnostic> load(const std::string& path) {
   const auto problem = [&path](std::string message) { return Diagnostic{.file = path, .message = std::move(message)}; };
   std::error_code error;
@@ -159,7 +159,7 @@ std::string_view trimmed(std::string_view text) {
   return first == text.npos ? std::string_view() : text.substr(first, text.find_last_not_of(kBlank) - first + 1);
 }
 
-// A setting's value as TOML: texts and choices get the quotes that a shell takes away.
+// A setting's value as TOML. Adds the quotes of texts and choices, which a shell removes.
 std::string setting_text(const Parameter& parameter, std::string_view text) {
   const bool text_like = parameter.type == ParameterType::text || parameter.type == ParameterType::choice;
   return text_like && !text.starts_with('"') && !text.starts_with('\'') ? quoted(text) : std::string(text);
@@ -171,7 +171,7 @@ Diagnostics single(Diagnostic diagnostic) {
   return diagnostics;
 }
 
-// As read_scenario_text, with other defaults.
+// Like read_scenario_text, with other defaults.
 ScenarioResult read_over(Scenario defaults, std::string_view text, const std::string& name) {
   ScenarioResult result{.scenario = std::move(defaults)};
   if (text.size() > kLargestScenarioFile) {

@@ -1,5 +1,5 @@
 #pragma once
-// The reference of all parameters, scenarios/REFERENCE.md, from the parameter table.
+// Generates the reference of all parameters, scenarios/REFERENCE.md, from the parameter table.
 
 #include <string>
 

@@ -1,7 +1,7 @@
 #pragma once
-// A scenario: everything a person decides about a capture. Plain data in SI units; the world's Y axis is the pocket's
-// axis and the mouth opens towards +Y. Every member is declared once more in the parameter table (parameters.h), which
-// gives its TOML key, unit, limits, help and source. The defaults here are those of scenarios/case1.toml.
+// A scenario: everything that a user decides about a capture. Plain data in SI units. The world's Y axis is the
+// pocket's axis; the mouth opens towards +Y. The parameter table (parameters.h) declares every member once more, with
+// its TOML key, unit, limits, help and source. The defaults here are those of scenarios/case1.toml.
 
 #include <Eigen/Core>
 #include <memory>
@@ -20,15 +20,15 @@ enum class TowingMode { none, force, acceleration, velocity };
 enum class StationKeeping { free, attitude, lateral };
 enum class Evaluation { mean_strain, full };
 
-// One round cord material (net or closing rope).
+// A round cord (net or closing rope).
 struct CordParameters {
   double diameter = 0.004;        // m
   double density = 1430;          // kg/m^3
   double youngs_modulus = 12e9;   // Pa
   double poisson_ratio = 0.3;     //
-  double axial_damping = 1e-5;    // s, c of EA (eps + c epsdot)
-  double bending_damping = 1e-2;  // s, c of EI (kappa + c kappadot)
-  double compression = 1.0;       // fraction of EA that acts in compression
+  double axial_damping = 1e-5;    // s, c in EA (eps + c epsdot)
+  double bending_damping = 1e-2;  // s, c in EI (kappa + c kappadot)
+  double compression = 1.0;       // fraction of EA that is effective in compression
 };
 
 struct PocketParameters {
@@ -36,7 +36,7 @@ struct PocketParameters {
   int mesh_columns = 6;       // cells across a panel at the kink row; also rows of the triangular part
   int mesh_rows = 6;          // rows of the square part
   int elements_per_side = 2;  // cable elements per mesh side
-  double bow = 1e-3;          // rise of a mesh side's bow, part of its length
+  double bow = 1e-3;          // rise of a mesh side at its middle, as a fraction of its length
 };
 
 struct RodParameters {
@@ -50,8 +50,8 @@ struct RodParameters {
   double poisson_ratio = 0.3;
   double axial_damping = 1e-5;    // s
   double bending_damping = 1e-5;  // s
-  int elements_per_side = 0;      // elements between two rows of the net; 0: as the net's
-  double pressure = 0;            // Pa, of the gas inside; 0: the wall does not wrinkle
+  int elements_per_side = 0;      // number of elements between two rows of the net; 0: as many as the net has
+  double pressure = 0;            // Pa, of the gas inside; 0: wrinkling is not modelled
   double hinge_stiffness = 48;    // N m/rad, of the kink
   double hinge_damping = 0.5;     // N m s/rad
   double tip_mass = 0.0;          // kg, retractor at each rod tip
@@ -60,25 +60,25 @@ struct RodParameters {
 struct SpacecraftParameters {
   double mass = 1210;                              // kg
   Eigen::Vector3d inertia = {4282, 12736, 14498};  // kg m^2, about the body axes at the centre of mass
-  Eigen::Vector3d position = {0, -1, 0};           // m, centre of mass
+  Eigen::Vector3d position = {0, -1, 0};           // m, position of the centre of mass
   Eigen::Vector3d size = {1.6, 2.0, 1.6};          // m, bus (box centred at the centre of mass)
   StationKeeping station_keeping = StationKeeping::free;
 };
 
 struct TargetParameters {
   TargetShape shape = TargetShape::sphere;
-  double radius = 4.5;                                // m, sphere and cylinder
-  Eigen::Vector3d size = {6, 6, 6};                   // m, edges of a box, or of a satellite's bus
-  double length = 6;                                  // m, cylinder (axis: body y)
-  double span = 8.4;                                  // m, satellite: from tip to tip of its panels (along body x)
-  double panel_width = 1.7;                           // m, satellite: of its panels (along body y)
-  double dish_diameter = 1.6;                         // m, satellite: of its dish (at body +y)
-  std::string mesh_file;                              // mesh: STL or OBJ, from the folder of the scenario
-  MeshUnit mesh_unit = MeshUnit::metre;               // mesh: of the file's coordinates
-  double mass = 200;                                  // kg
+  double radius = 4.5;                   // m, sphere and cylinder
+  Eigen::Vector3d size = {6, 6, 6};      // m, edges of a box, or of a satellite's bus
+  double length = 6;                     // m, cylinder (axis: body y)
+  double span = 8.4;                     // m, satellite: distance between the outer tips of its panels (along body x)
+  double panel_width = 1.7;              // m, satellite: width of its panels (along body y)
+  double dish_diameter = 1.6;            // m, satellite: diameter of its dish (at body +y)
+  std::string mesh_file;                 // mesh: STL or OBJ file, relative to the folder of the scenario
+  MeshUnit mesh_unit = MeshUnit::metre;  // mesh: unit of the file's coordinates
+  double mass = 200;                     // kg
   Eigen::Vector3d inertia = {1210, 1210, 1210};       // kg m^2, body axes
-  InertiaSource inertia_from = InertiaSource::given;  // shape: that of the shape filled evenly with the mass
-  Eigen::Vector3d position = {0, 7.5, 0};             // m, centre of mass
+  InertiaSource inertia_from = InertiaSource::given;  // shape: inertia of the shape filled evenly with the mass
+  Eigen::Vector3d position = {0, 7.5, 0};             // m, position of the centre of mass
   Eigen::Vector3d attitude = {0, 0, 0};               // rad, rotation vector from world to body axes
   Eigen::Vector3d velocity = {0, 0, 0};               // m/s
   Eigen::Vector3d spin = {0, 0, 0};                   // rad/s, world axes
@@ -87,30 +87,30 @@ struct TargetParameters {
 };
 
 struct ContactParameters {
-  double restitution = 0.5;         // Newton's coefficient c_r
-  double friction = 0.4;            // Coulomb's mu
-  double friction_velocity = 1e-3;  // m/s, sliding speed at which friction is fully developed
-  bool spacecraft = true;           // cords touch the spacecraft too
-  bool cords = true;                // net, ropes and rods touch each other
-  bool bodies = true;               // target and spacecraft touch each other
+  double restitution = 0.5;         // Newton's coefficient of restitution c_r
+  double friction = 0.4;            // Coulomb's coefficient mu
+  double friction_velocity = 1e-3;  // m/s, sliding speed from which friction is fully developed
+  bool spacecraft = true;           // whether cords touch the spacecraft
+  bool cords = true;                // whether net, ropes and rods touch each other
+  bool bodies = true;               // whether target and spacecraft touch each other
 };
 
 struct ClosingParameters {
   ClosingLaw law = ClosingLaw::cycloid;
   double start = 0;                    // s
   double duration = 10;                // s
-  double closed_length = 2.1;          // m, rope between adjacent tips when closed
-  std::vector<Eigen::Vector2d> table;  // (t in s after start, L in m), law = table
+  double closed_length = 2.1;          // m, rope length between adjacent tips when closed
+  std::vector<Eigen::Vector2d> table;  // (t in s after start, L in m), for law = table
   int elements = 2;                    // variable-length elements per rope
 };
 
 struct TowingParameters {
   TowingMode mode = TowingMode::acceleration;
   double start = 10;        // s
-  double duration = 4;      // s, length of the thrust or of the ramp
-  double size = 0.01;       // N, m/s^2 or m/s by mode; pulls towards -Y
+  double duration = 4;      // s, of the thrust or of the velocity ramp
+  double size = 0.01;       // N, m/s^2 or m/s, by mode; pulls towards -Y
   double offset = 0.005;    // m, of the line of thrust from the axis
-  double offset_angle = 0;  // rad, from +X towards +Z, of the direction it is off in
+  double offset_angle = 0;  // rad, direction of the offset, from +X towards +Z
 
   friend bool operator==(const TowingParameters&, const TowingParameters&) = default;
 };
@@ -119,10 +119,10 @@ struct SolverParameters {
   Evaluation evaluation = Evaluation::mean_strain;
   double time_step = 0;                 // s; 0: chosen from elements and contact
   double safety = 0.9;                  // fraction of the stable step that is used
-  bool pair_strains = true;             // elements of a side share their axial strain two by two
+  bool pair_strains = true;             // whether pairs of elements of a mesh side share their axial strain
   Eigen::Vector3d gravity = {0, 0, 0};  // m/s^2
-  double perturbation = 0;              // m, largest random displacement of free nodes at the start
-  int seed = 1;                         // of the perturbation
+  double perturbation = 0;              // m, largest random displacement of free nodes at the start, by component
+  int seed = 1;                         // of the perturbation's random numbers
 };
 
 struct OutputParameters {
@@ -130,7 +130,7 @@ struct OutputParameters {
   double frame_rate = 50;  // recorded frames per simulated second
 };
 
-// What target.mesh_file was when a run began: the run goes on with this mesh, whatever has become of the file. Another
+// The mesh of target.mesh_file as it was when a run began. The run uses it even if the file changes later. Another file
 // name or unit means another mesh.
 struct KeptMesh {
   std::string file;
@@ -138,10 +138,10 @@ struct KeptMesh {
   std::shared_ptr<const TriangleMesh> mesh;  // null: none
 };
 
-// Where files that a scenario names may be. Not a parameter: it comes from where the scenario comes from.
+// Where the files that a scenario names may lie. Not a parameter: it depends on where the scenario was read from.
 struct FileScope {
-  std::string folder;            // of the scenario's file; empty: it has none, and relative names lead nowhere
-  bool allows_absolute = false;  // the user named the file himself, on the command line
+  std::string folder;            // folder of the scenario's file; empty: none, and relative names are not found
+  bool allows_absolute = false;  // set when the user named the file, on the command line
   KeptMesh kept_mesh = {};
 };
 

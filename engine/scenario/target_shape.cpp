@@ -28,7 +28,7 @@ bool is_inside(const fs::path& folder, const fs::path& file) {
   return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first == folder.end();
 }
 
-// Where a named file is, with all links followed; or the rest of a sentence why it is not looked for.
+// Path of a named file with links followed, or the rest of a sentence on why it may not be used.
 std::variant<fs::path, std::string> allowed_path(const FileScope& scope, const std::string& name) {
   if (std::any_of(name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }))
     return std::string("is not a file's name");
@@ -55,7 +55,7 @@ MeshResult load_mesh(const std::string& path, double scale) {
   return TriangleMesh::make(std::get<MeshData>(data));
 }
 
-// What tells whether a file is still the one that was read.
+// Properties by which a changed file is recognized.
 struct FileMark {
   std::string path;
   std::uintmax_t size = 0;
@@ -64,7 +64,7 @@ struct FileMark {
   bool operator==(const FileMark&) const = default;
 };
 
-// A scenario is checked at each edit and then built, always with the same mesh.
+// Caches one mesh. A scenario is checked at each edit and then built, always with the same mesh.
 class LatestMesh {
  public:
   MeshResult get(const std::string& path, double scale) {

@@ -1,5 +1,5 @@
 #pragma once
-// The target's shape as its scenario describes it.
+// Builds the target's shape from its scenario.
 
 #include <Eigen/Core>
 #include <variant>
@@ -10,17 +10,16 @@
 
 namespace netpocket {
 
-// The shape, or what is wrong with it in one sentence. A mesh is read from its file, which must lie in the folder of
-// the scenario or below, wherever links lead, unless scenario.files allows an absolute path. The latest mesh is kept,
-// so that asking again costs a look at the file's date. Any thread may call it. A kept
-// mesh is taken without a look at its file.
+// The shape, or one sentence on what is wrong with it. A mesh is read from its file. The file must lie in the
+// scenario's folder or below it, with links followed, unless scenario.files allows an absolute path. The latest mesh is
+// cached: another call only compares the file's size and date. A kept mesh (KeptMesh) is used without access to its
+// file. Thread contract: any thread may call it.
 std::variant<Shape, Diagnostic> target_shape(const Scenario& scenario);
 
-// From now on the target is built with this mesh as long as the scenario names the same file: see KeptMesh. Does
-// nothing for other shapes.
+// Makes the scenario use this mesh as long as it names the same file: see KeptMesh. Does nothing for other shapes.
 void keep_mesh(Scenario& scenario, const Shape& shape);
 
-// kg m^2, about the centre of mass, body axes: as given, or that of the evenly filled shape.
+// kg m^2, about the centre of mass, body axes: as given, or that of the shape filled evenly with the mass.
 Eigen::Matrix3d target_inertia(const TargetParameters& target, const Shape& shape);
 
 }  // namespace netpocket

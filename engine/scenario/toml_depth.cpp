@@ -6,7 +6,7 @@
 namespace netpocket {
 namespace {
 
-// Length of the string literal, of any of TOML's four kinds, that `toml` starts with.
+// Length of the string literal at the start of `toml`, of any of TOML's four kinds.
 std::size_t string_length(std::string_view toml) {
   const char quote = toml.front();
   const bool multiline = toml.size() >= 3 && toml[1] == quote && toml[2] == quote;
@@ -23,7 +23,7 @@ std::size_t string_length(std::string_view toml) {
   return toml.size();
 }
 
-// Length of what stands as a whole where `toml` starts: a string, a comment, or one character.
+// Length of the token at the start of `toml`: a string, a comment, or one character.
 std::size_t token_length(std::string_view toml) {
   if (toml.front() == '"' || toml.front() == '\'') return string_length(toml);
   if (toml.front() == '#') return std::min(toml.find('\n'), toml.size());

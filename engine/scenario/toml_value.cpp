@@ -9,7 +9,7 @@
 namespace netpocket {
 namespace {
 
-// A list of exactly Size numbers.
+// The numbers of a list of exactly `Size` numbers.
 template <int Size>
 std::optional<Eigen::Vector<double, Size>> numbers(const toml::node& node) {
   const toml::array* list = node.as_array();
@@ -23,7 +23,7 @@ std::optional<Eigen::Vector<double, Size>> numbers(const toml::node& node) {
   return result;
 }
 
-// What stands in the file, for "expects ..., not ...".
+// Description of a node, for "expects ..., not ...".
 std::string found_text(const toml::node& node) {
   switch (node.type()) {
     case toml::node_type::string:
@@ -43,7 +43,7 @@ std::string found_text(const toml::node& node) {
   }
 }
 
-// The first element that is no number, in "one with ... in it"; nothing when all are.
+// The first element that is not a number, as "one with ... in it"; nothing when all are numbers.
 std::optional<std::string> stranger(const toml::array& list) {
   for (const toml::node& element : list) {
     if (!element.is_number()) return fmt::format("one with {} in it", found_text(element));
@@ -51,7 +51,7 @@ std::optional<std::string> stranger(const toml::array& list) {
   return std::nullopt;
 }
 
-// As found_text; of a list that has the right size, what in it does not belong there.
+// Like found_text. For a list of the right size, describes the element that is wrong.
 std::string found_instead(const Parameter& parameter, const toml::node& node) {
   const toml::array* list = node.as_array();
   if (list && parameter.type == ParameterType::vector && list->size() == 3) {
@@ -93,17 +93,17 @@ std::optional<ParameterValue> widen(std::optional<T> value) {
   return ParameterValue(std::move(*value));
 }
 
-// 8.0 is whole, too.
+// Accepts 8.0 as a whole number.
 std::optional<std::int64_t> whole_number(const toml::node& node) {
   const auto number = node.value_exact<double>();
-  constexpr double kLargest = 9007199254740992.0;  // up to which a double holds every whole number
+  constexpr double kLargest = 9007199254740992.0;  // up to which a double represents every whole number
   if (number && std::abs(*number) <= kLargest && *number == std::trunc(*number)) {
     return static_cast<std::int64_t>(*number);
   }
   return node.value_exact<std::int64_t>();
 }
 
-// The value, if the node has the parameter's type. Whole numbers are numbers too.
+// The value, if the node has the parameter's type. Whole numbers are accepted as numbers.
 std::optional<ParameterValue> typed_value(const Parameter& parameter, const toml::node& node) {
   switch (parameter.type) {
     case ParameterType::number:

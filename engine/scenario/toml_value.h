@@ -1,5 +1,5 @@
 #pragma once
-// From TOML's values to those of parameters.
+// Converts TOML values to parameter values.
 
 #include <toml++/toml.h>
 
@@ -10,15 +10,15 @@
 
 namespace netpocket {
 
-// Why a TOML value is not one for a parameter.
+// Why a TOML value does not suit a parameter.
 struct ValueProblem {
-  std::string message;  // one sentence without subject: "expects a number in m, not the text \"4 mm\""
+  std::string message;  // one sentence without its subject: "expects a number in m, not the text \"4 mm\""
 };
 
-// The parameter's value, of its type and within its limits, or what is wrong.
+// The value with the parameter's type and within its limits, or what is wrong.
 std::variant<ParameterValue, ValueProblem> parameter_value(const Parameter& parameter, const toml::node& node);
 
-// A text of a user's file in quotes, shortened so that it fits into a message.
+// Text from a user's file, in quotes and shortened to fit into a message.
 std::string excerpt(std::string_view text);
 
 }  // namespace netpocket

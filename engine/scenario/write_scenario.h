@@ -7,8 +7,8 @@
 
 namespace netpocket {
 
-// The complete scenario: every key, with unit, help and source as a comment. Reading it back gives the same values to
-// the last bit.
+// The complete scenario: every key, with unit, help and source as a comment. Reading it back gives bitwise the same
+// values.
 std::string write_scenario_text(const Scenario& scenario);
 
 }  // namespace netpocket

@@ -1,8 +1,10 @@
 #pragma once
-// The scalar channels of a run: one value per recorded frame each. Which ones a run has is data: its structure and its
-// snapshots carry the list, a recording stores it, and what reads, draws or exports channels goes by that list.
+// The scalar channels of a run. Each has one value per recorded frame. The list of a run's channels is data: its
+// structure and its snapshots carry the list, and its recording stores it. Code that reads, draws or exports channels
+// must use that list.
 //
-// `Channel` names those that parts of this program look for. A run need not have them, and may have others.
+// The enumeration `Channel` names the channels that parts of this program look up. A run need not have them, and may
+// have others.
 
 #include <array>
 #include <cstddef>
@@ -75,7 +77,7 @@ enum class Channel : std::size_t {
 inline constexpr std::size_t kKnownChannelCount = static_cast<std::size_t>(Channel::count);
 
 enum class ChannelKind : std::uint8_t {
-  value,     // at the frame's moment
+  value,     // at the time of the frame
   interval,  // mean or extreme since the previous frame
   total,     // since the start of the run
   index      // row of a table of the structure; -1: none
@@ -90,10 +92,10 @@ struct ChannelInfo {
   bool operator==(const ChannelInfo&) const = default;
 };
 
-// Distinct channels in an order. Never changes; shared by what belongs to one run.
+// Ordered list of distinct channels. Immutable; the structure and the snapshots of a run share it.
 class ChannelList {
  public:
-  // Throws std::invalid_argument, one sentence, when two channels have one name or none is called "time".
+  // Throws std::invalid_argument, with one sentence, if two channels have the same name or none is called "time".
   explicit ChannelList(std::vector<ChannelInfo> channels);
 
   std::size_t size() const { return channels_.size(); }
@@ -101,6 +103,7 @@ class ChannelList {
   auto begin() const { return channels_.begin(); }
   auto end() const { return channels_.end(); }
 
+  // Index of a channel; empty if the list does not contain it.
   std::optional<std::size_t> find(std::string_view name) const;
   std::optional<std::size_t> find(Channel channel) const { return known_[static_cast<std::size_t>(channel)]; }
   bool has(Channel channel) const { return find(channel).has_value(); }
@@ -110,7 +113,7 @@ class ChannelList {
   std::array<std::optional<std::size_t>, kKnownChannelCount> known_{};
 };
 
-// All of `Channel`, in its order: those of a pocket.
+// All channels of the enumeration `Channel`, in its order: the channels of a pocket.
 const std::shared_ptr<const ChannelList>& known_channels();
 const ChannelInfo& channel_info(Channel channel);
 

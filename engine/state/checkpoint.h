@@ -1,5 +1,5 @@
 #pragma once
-// The complete state of a run at one moment: from it the run continues to the last bit.
+// The complete state of a run at one moment. A run that continues from it gives the same bits.
 
 #include <string>
 #include <vector>
@@ -9,7 +9,7 @@ namespace netpocket {
 struct Checkpoint {
   double time = 0;            // s
   std::vector<double> state;  // Simulation::checkpoint()
-  // TOML of the scenario whose strategy took over in this state (Simulation::change_strategy); empty: it went on.
+  // TOML of the scenario whose strategy took over at this state (Simulation::change_strategy); empty: no change.
   std::string strategy;
 
   bool changes_strategy() const { return !strategy.empty(); }

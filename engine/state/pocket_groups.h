@@ -1,6 +1,6 @@
 #pragma once
-// The groups of a pocket's nodes and elements, by which what judges or draws pockets finds them. Recordings by version
-// 0.1 hold no others.
+// The groups of a pocket's nodes and elements. Code that judges or draws pockets finds them by these names. Recordings
+// of version 0.1 hold no other groups.
 
 #include <cstdint>
 #include <vector>
@@ -11,7 +11,7 @@ namespace netpocket {
 
 inline constexpr const char* kRodRoots = "rod roots";  // clamped ends, by rod
 inline constexpr const char* kRodKinks = "rod kinks";
-inline constexpr const char* kRodTips = "rod tips";  // retractors sit here
+inline constexpr const char* kRodTips = "rod tips";  // where the retractors are
 
 // In the order of pocket_groups().
 enum class PocketGroup : std::int32_t { net, rods, closing_ropes };

@@ -1,5 +1,5 @@
 #pragma once
-// How a run ended and what it took.
+// Outcome of a run and the resources it used.
 
 #include <cstdint>
 #include <string>

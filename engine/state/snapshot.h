@@ -1,6 +1,6 @@
 #pragma once
-// The state of a run at one moment, as a plain value: the only thing that crosses from simulation to drawing.
-// World frame, SI units. Copyable; no thread owns it but its holder.
+// The state of a run at one moment, as a plain value. It is the only data that passes from simulation to drawing.
+// World frame, SI units. Copyable; each copy belongs to the thread that holds it.
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -23,7 +23,7 @@ struct BodyState {
 struct ContactPoint {
   Eigen::Vector3d position;  // m, on the body's surface
   Eigen::Vector3d force;     // N, on the body
-  std::int32_t element;      // that touches, index into Structure::elements; -1: another body touches
+  std::int32_t element;      // touching element, index into Structure::elements; -1: another body touches
   std::int32_t body;         // index into Structure::bodies
 };
 
@@ -41,12 +41,12 @@ struct Snapshot {
   std::shared_ptr<const ChannelList> channel_list = known_channels();
   std::vector<double> channels = std::vector<double>(channel_list->size(), 0.0);  // by channel_list
 
-  // Not a number where the run has no such channel.
+  // Value of a channel; NaN if the run has no such channel.
   double channel(Channel c) const& {
     const auto index = channel_list->find(c);
     return index ? channels[*index] : std::numeric_limits<double>::quiet_NaN();
   }
-  // To be set: throws std::bad_optional_access where the run has no such channel.
+  // Reference to the value, for writing. Throws std::bad_optional_access if the run has no such channel.
   double& channel(Channel c) & { return channels[channel_list->find(c).value()]; }
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-// What of a model does not change during a run: which nodes the elements join and what the bodies look like. Together
-// with a Snapshot it is all that drawing, exporting and reading a recording need.
+// The parts of a model that do not change during a run: the nodes that the elements join, the shapes of the bodies, the
+// names. Together with a Snapshot it is all that drawing, exporting and reading a recording need.
 
 #include <cstdint>
 #include <memory>
@@ -16,20 +16,20 @@ namespace netpocket {
 // How the cables of a group are drawn.
 enum class CableLook : std::uint8_t {
   cord,  // thin line
-  tube,  // as thick as it is
-  rope   // broad line that stands out
+  tube,  // with its real thickness
+  rope   // broad, conspicuous line
 };
 
-// Cables that belong together: they are drawn, named and counted as one.
+// Cables that are drawn, named and counted together.
 struct ElementGroup {
-  std::string name;    // of all, e.g. "closing ropes"
-  std::string member;  // of one with its article, e.g. "a closing rope"
+  std::string name;    // of the group, e.g. "closing ropes"
+  std::string member;  // of one member with its article, e.g. "a closing rope"
   CableLook look = CableLook::cord;
 
   bool operator==(const ElementGroup&) const = default;
 };
 
-// What is drawn at the nodes of a group.
+// How the nodes of a group are drawn.
 enum class NodeLook : std::uint8_t {
   nothing,
   joint,   // ball around a tube's node
@@ -37,7 +37,7 @@ enum class NodeLook : std::uint8_t {
   adapter  // ring on the spacecraft on which the nodes lie
 };
 
-// Nodes that do something together, in their order round the system.
+// Nodes with a common function, in their order round the system.
 struct NodeGroup {
   std::string name;  // e.g. "rod tips"
   NodeLook look = NodeLook::nothing;
@@ -63,7 +63,7 @@ enum class BodyRole : std::uint8_t { spacecraft = 0, target = 1, other = 2 };
 struct StructureBody {
   std::string name;  // "spacecraft", "target", ...
   BodyRole role = BodyRole::other;
-  Shape shape;      // drawn and touched; body axes, centred at the centre of mass
+  Shape shape;      // for drawing and contact; body axes, origin at the centre of mass
   double mass = 0;  // kg
 };
 
@@ -76,15 +76,16 @@ struct Structure {
   std::vector<std::string> threads;  // names, e.g. "rod 3", "panel 2 row 4"
   std::vector<StructureBody> bodies;
   std::int32_t rope_count = 0;                                     // variable-length ropes
-  std::shared_ptr<const ChannelList> channels = known_channels();  // of every snapshot
+  std::shared_ptr<const ChannelList> channels = known_channels();  // those of every snapshot
 
   const ElementGroup& group_of(const StructureElement& element) const {
     return element_groups[static_cast<std::size_t>(element.group)];
   }
   CableLook look_of(const StructureElement& element) const { return group_of(element).look; }
-  // Nodes of the group of this name; empty where there is none.
+  // Nodes of the group with this name; empty if there is none. The reference is valid as long as node_groups is
+  // unchanged.
   const std::vector<std::int32_t>& nodes(std::string_view group) const;
-  // Of all groups with this look, one after the other.
+  // Nodes of all groups with this look, one group after the other.
   std::vector<std::int32_t> nodes(NodeLook look) const;
 };
 

@@ -22,7 +22,7 @@ double median(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
 }
 
-// The peaks |F_y| of all draws, by the time in which the closing ends.
+// Peaks |F_y| of all draws, by the end of closing (s).
 std::vector<Draws> peaks_by_closing(const std::vector<StudyRecord>& draws) {
   std::map<double, std::vector<double>> peaks;
   for (const StudyRecord& draw : draws) {
@@ -58,7 +58,7 @@ void Ensemble::decide(StudyRecord& record) const {
     if (finding["id"] != kDecidedByDraws) continue;
     for (std::size_t i = 0; i < finding["cases"].size(); ++i) {
       Json& c = finding["cases"][i];
-      // A case that diverged or was cut short stays what it is.
+      // Cases that diverged or ended early keep their verdict.
       if (c["verdict"] != to_string(Verdict::undecided)) continue;
       c["value"] = fmt::format("peak |F_y| {:.3g} N in the run without displacements",
                                std::abs(record["runs"][i]["peak_force"]["y"].get<double>()));

@@ -15,11 +15,11 @@ using Json = nlohmann::ordered_json;
 
 std::string verdict(const Json& finding_case) { return finding_case["verdict"].get<std::string>(); }
 
-// How often a finding holds in all variants of the points after the first.
+// Number of points after the first at which a finding holds in all variants.
 struct Robustness {
   std::size_t holds = 0;
-  std::size_t points = 0;     // that judge it
-  std::size_t undecided = 0;  // that do not: single draws
+  std::size_t points = 0;     // that judge the finding
+  std::size_t undecided = 0;  // that do not judge it, because they are single draws
   std::vector<std::string> fails;
 };
 

@@ -26,7 +26,7 @@ constexpr int kDeepestKey = 8;  // dots
 
 int line_of(const toml::node& node) { return static_cast<int>(node.source().begin.line); }
 
-// A value as apply_setting() takes it: numbers with the fewest digits that read back, texts with their quotes.
+// A value in the form that apply_setting() takes: numbers with the fewest digits that read back, texts in quotes.
 std::string value_text(const toml::node& node) {
   if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
   if (const auto* array = node.as_array()) {
@@ -44,7 +44,7 @@ struct Entry {
   const toml::node* node;
 };
 
-// The entries of a table by their order in the file.
+// Entries of a table in the order of the file.
 std::vector<Entry> entries(const toml::table& table) {
   std::vector<Entry> found;
   for (const auto& [key, node] : table) found.push_back({std::string(key.str()), &node});
@@ -73,7 +73,7 @@ class StudyReader {
     if (!found_.ok()) return result();
     read_sampling(file);
     if (const toml::table* set = table(file, "set")) study_.settings = read_settings(*set, study_.base);
-    // What follows is checked with the settings of all points in place.
+    // The following is checked with the settings of all points applied.
     Scenario scenario = study_.base;
     apply_settings(scenario, study_.settings);
     study_.places = read_named(file, "point", scenario);
@@ -101,7 +101,7 @@ class StudyReader {
   void report(int line, const std::string& key, const std::string& message) {
     add({.file = path_, .line = line, .key = key, .message = message});
   }
-  // Each sentence once.
+  // Adds each message only once.
   void add(Diagnostic problem) {
     if (said_.insert(problem.text()).second) found_.add(std::move(problem));
   }
@@ -172,12 +172,12 @@ class StudyReader {
     return std::nullopt;
   }
 
-  // Settings of a table, in tables by group or with the dotted key in quotes. Each is tried on `scenario` by itself.
+  // Settings of a table. Keys are in tables by group, or dotted and in quotes. Each is checked on `scenario` by itself.
   std::vector<Setting> read_settings(const toml::table& table, const Scenario& scenario,
                                      const std::string& prefix = "") {
     std::vector<Setting> settings;
     for (const auto& [name, node] : entries(table)) {
-      if (prefix.empty() && name == "name") continue;  // of the point or variant, not of the scenario
+      if (prefix.empty() && name == "name") continue;  // name of the point or variant, not of the scenario
       const std::string key = prefix.empty() ? name : prefix + "." + name;
       if (const toml::table* group = node->as_table()) {
         for (Setting& setting : read_settings(*group, scenario, key)) settings.push_back(std::move(setting));
@@ -191,7 +191,7 @@ class StudyReader {
     return settings;
   }
 
-  // A key may be written in a table of its group or in quotes, but once.
+  // A key may be in a table of its group or in quotes, but not both.
   void check_repeated(const toml::table& table, const std::vector<Setting>& settings) {
     std::set<std::string> keys;
     for (const Setting& setting : settings) {
@@ -220,7 +220,8 @@ class StudyReader {
     for (Diagnostic& problem : setting_problems(node, scenario, setting)) add(std::move(problem));
   }
 
-  // [[point]] and [[variant]]: each with a name and settings. Without any: one without either.
+  // Reads [[point]] or [[variant]]: each has a name and settings. Without any, the list has one without name and
+  // settings.
   std::vector<NamedSettings> read_named(const toml::table& file, const std::string& key, const Scenario& scenario) {
     const toml::node* node = file.get(key);
     if (!node) return {{}};
@@ -246,7 +247,7 @@ class StudyReader {
     return list;
   }
 
-  // Axes of a table and of the tables in it. A table with "from" and "to" is a range.
+  // Reads the axes of a table and of its inner tables. A table with "from" or "to" is a range.
   void read_axes(const toml::table& table, const std::string& prefix, const Scenario& scenario) {
     for (const auto& [name, node] : entries(table)) {
       const std::string key = prefix.empty() ? name : prefix + "." + name;
@@ -271,7 +272,7 @@ class StudyReader {
   void read_list(const std::string& key, const toml::array& list, const Scenario& scenario) {
     if (list.empty()) return report(list, key, "has no values");
     Axis axis{.key = key};
-    std::set<std::string> said;  // what holds for all values is said of the first
+    std::set<std::string> said;  // a problem that all values share is reported once
     for (const toml::node& value : list) {
       axis.values.push_back(value_text(value));
       for (Diagnostic& problem : setting_problems(value, scenario, {key, axis.values.back()})) {

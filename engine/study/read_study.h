@@ -1,6 +1,6 @@
 #pragma once
-// Reads studies from TOML (scenarios/studies/README.md describes the file). Errors are values, with file, line and key;
-// nothing is thrown. Any thread may call these functions.
+// Reads studies from TOML (scenarios/studies/README.md describes the file). Errors are returned as values with file,
+// line and key; nothing is thrown. Thread contract: any thread may call these functions.
 
 #include <string>
 
@@ -14,13 +14,13 @@ inline constexpr std::size_t kLargestStudyFile = 1'000'000;  // bytes
 
 struct StudyResult {
   Study study{};              // complete only if ok()
-  Diagnostics diagnostics{};  // by line
+  Diagnostics diagnostics{};  // sorted by line
 
   bool ok() const { return diagnostics.ok(); }
 };
 
-// The base scenario's path is relative to the study's file. What is checked: every key and every value, alone; whether
-// a point makes sense as a whole shows when it is run.
+// The base scenario's path is relative to the study's file. Each key and value is checked by itself. Whether a point
+// makes sense as a whole is checked when it is run.
 StudyResult read_study_file(const std::string& path);
 
 }  // namespace netpocket

@@ -1,5 +1,5 @@
 #pragma once
-// What the reports of a study have in common: Markdown tables, and what a point is called and holds.
+// Parts that the reports of a study share: Markdown tables, names of points, and lists of findings.
 
 #include <string>
 #include <vector>
@@ -8,15 +8,15 @@
 
 namespace netpocket {
 
-// Text as it may stand in a cell of a table.
+// Escapes text for a cell of a table.
 std::string markdown_cell(const std::string& text);
-// A table's first two lines.
+// The first two lines of a table.
 std::string markdown_header(const std::vector<std::string>& names);
 
-// Null when there is none: the point was refused.
+// Null when there is no such finding, as in a refused point.
 const StudyRecord* find_finding(const StudyRecord& record, const std::string& id);
 bool holds_in_all_cases(const StudyRecord& finding);
-// The findings that hold in all cases, by number.
+// Findings that hold in all cases, by number.
 std::vector<std::string> held_findings(const StudyRecord& record);
 
 std::string point_name(const StudyRecord& record);

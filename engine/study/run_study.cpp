@@ -17,22 +17,22 @@
 namespace netpocket {
 namespace {
 
-// A point that has to be run.
+// A point to be run.
 struct Work {
   std::size_t index;
   std::vector<Scenario> scenarios;  // by variant
   std::string identity;
-  std::vector<std::string> files;  // of its recordings
+  std::vector<std::string> files;  // of its recordings, by variant
   std::size_t runs_left;
 };
 
-// Leaves what is not there, or is a folder that holds something.
+// Removes a file or an empty folder. Does nothing if it does not exist or cannot be removed.
 void remove_own(const std::string& path) {
   std::error_code ignored;
   std::filesystem::remove(path, ignored);
 }
 
-// Problems in one line.
+// Joins the lines of a text.
 std::string in_one_line(std::string text) {
   for (auto end = text.find('\n'); end != text.npos; end = text.find('\n', end)) text.replace(end, 1, "; ");
   return text;
@@ -70,7 +70,7 @@ class StudyRunner {
     std::size_t variant;
   };
 
-  // Decides what becomes of a point: refused, kept from before, or run.
+  // Decides whether a point is refused, kept from before, or run.
   void prepare(std::size_t index) {
     std::vector<Scenario> scenarios;
     std::string problems;
@@ -105,7 +105,7 @@ class StudyRunner {
     ++points_done_;
   }
 
-  // A worker's life: takes the next run until there is none.
+  // Main function of a worker: runs tasks until none is left.
   void work() {
     try {
       while (const auto task = next_task()) run(*task);
@@ -142,7 +142,7 @@ class StudyRunner {
         stop_.get_token());
     if (result.status.reason == RunReason::storage_failed) throw RecordingError(result.status.message);
     if (result.status.reason == RunReason::stopped) return;
-    count_until(scenario.output.end_time);  // a run that diverged leaves the rest
+    count_until(scenario.output.end_time);  // counts the time that a diverged run has left over
     const std::scoped_lock lock(mutex_);
     if (--work.runs_left == 0) finish(work);
   }
@@ -159,7 +159,7 @@ class StudyRunner {
     report();
   }
 
-  // Those that this call made and did not finish; what earlier ones were told to keep stays.
+  // Removes the recordings that this call began and did not finish. Those that earlier calls kept remain.
   void remove_recordings() {
     for (const std::string& file : made_) remove_own(file);
     remove_own(folder_ + "/runs");
@@ -193,18 +193,18 @@ class StudyRunner {
   const StudyCallback& progress_;
   const std::vector<StudyPoint> points_;
   const Clock::time_point start_ = Clock::now();
-  double seconds_to_run_ = 0;  // simulated
+  double seconds_to_run_ = 0;  // s, simulated
   std::vector<Task> tasks_;
   std::stop_source stop_;
 
-  // Guarded by the mutex while workers live.
+  // The mutex guards the following while workers run.
   std::mutex mutex_;
   std::vector<Work> work_;
   std::size_t next_ = 0;
   double seconds_run_ = 0;
   std::vector<std::optional<StudyRecord>> records_;  // by point
   std::size_t points_done_ = 0;
-  std::vector<std::string> made_;  // recordings that were begun
+  std::vector<std::string> made_;  // recordings that this call began
   std::exception_ptr failure_;
 };
 

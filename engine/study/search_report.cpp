@@ -22,7 +22,7 @@ Points run_points(const std::vector<StudyRecord>& records) {
   return points;
 }
 
-// Number of findings that hold in all variants of a point, then of cases in which they hold: which point is better.
+// Merit of a point: number of findings that hold in all variants, then number of cases that hold.
 std::pair<std::size_t, std::size_t> merit(const StudyRecord& record) {
   std::size_t cases = 0;
   for (const Json& finding : record["findings"]) {
@@ -39,7 +39,7 @@ Points best_points(Points points, std::size_t count) {
   return points;
 }
 
-// Settings that differ between points, by the order in which the study names them.
+// Settings that differ between points, in the order of the study.
 std::vector<std::string> varied_settings(const std::vector<StudyRecord>& records) {
   std::vector<std::string> keys;
   for (const StudyRecord& record : records) {

@@ -28,7 +28,7 @@ std::optional<Number> parse(std::string_view text) {
   return value;
 }
 
-// "rods.profile[1][0]" is the parameter "rods.profile" and the indices 1, 0. No indices: a whole parameter.
+// "rods.profile[1][0]" is the parameter "rods.profile" with indices 1, 0. Without indices: the whole parameter.
 struct Place {
   std::string parameter;
   std::vector<std::size_t> indices;
@@ -48,7 +48,7 @@ std::optional<Place> parse_place(const std::string& key) {
   return place;
 }
 
-// The number of a list that the indices lead to; null when there is none.
+// The number at these indices of a list; null when there is none.
 double* number_at(ParameterValue& value, const std::vector<std::size_t>& indices) {
   if (auto* vector = std::get_if<Eigen::Vector3d>(&value)) {
     return indices.size() == 1 && indices[0] < 3 ? &(*vector)[static_cast<Eigen::Index>(indices[0])] : nullptr;
@@ -93,7 +93,7 @@ Diagnostics apply_setting(Scenario& scenario, const Setting& setting) {
   if (!place->indices.empty()) return apply_to_number(scenario, setting, *place);
   const bool allows_absolute = scenario.files.allows_absolute;
   Diagnostics problems = apply_setting(scenario, setting.key + "=" + setting.value);
-  scenario.files.allows_absolute = allows_absolute;  // a study is a file, not the command line
+  scenario.files.allows_absolute = allows_absolute;  // only a command line may allow it, and a study is a file
   return problems;
 }
 

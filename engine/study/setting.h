@@ -1,5 +1,5 @@
 #pragma once
-// One value of a study: a parameter, or one number of a parameter that is a list, and what it is set to.
+// A setting of a study: a value for a parameter, or for one number of a parameter that is a list.
 
 #include <string>
 #include <vector>
@@ -10,17 +10,18 @@
 namespace netpocket {
 
 struct Setting {
-  std::string key;    // "target.radius"; "target.position[0]"; "rods.profile[1][0]", counted from 0
-  std::string value;  // as TOML writes it
+  std::string key;    // "target.radius"; "target.position[0]"; "rods.profile[1][0]"; indices begin at 0
+  std::string value;  // in TOML syntax
 
   bool operator==(const Setting&) const = default;
 };
 
-// On error (unknown key, no such number in the list, wrong type, outside the limits) the scenario stays as it was. Any
-// thread may call it.
+// On error the scenario is unchanged. Errors: unknown key, index outside the list, wrong type, value outside the
+// limits. Thread contract: any thread may call it.
 Diagnostics apply_setting(Scenario& scenario, const Setting& setting);
 
-// All of them in their order, or the first problem.
+// Applies all settings in their order. Stops at the first that fails and returns its problems; earlier ones stay
+// applied.
 Diagnostics apply_settings(Scenario& scenario, const std::vector<Setting>& settings);
 
 }  // namespace netpocket

@@ -27,7 +27,7 @@ void make_study_folder(const std::string& path) {
   if (error) throw RecordingError(fmt::format("cannot make the folder \"{}\": {}", path, error.message()));
 }
 
-// The name of something in the folder; nothing when it is empty.
+// Name of any entry of the folder; nothing when it is empty.
 std::optional<std::string> any_entry(const std::string& folder) {
   std::error_code error;
   const fs::directory_iterator entries(folder, error);
@@ -44,7 +44,7 @@ std::string read_all(int file) {
   return text;
 }
 
-// Whether a file that was opened is still the one of that name.
+// Whether the path still leads to the file that was opened.
 bool is_still(int file, const std::string& path) {
   struct stat opened {
   }, named{};

@@ -1,22 +1,22 @@
 #pragma once
-// The folder that a study writes into. It is the study's own: new or empty at first, and marked then with a file that
-// says which study it belongs to. Nothing in it is removed that the study did not make itself.
+// The folder into which a study writes. It must be new or empty at first, and is then marked with a file that names the
+// study. Only files that the study itself made are removed from it.
 
 #include <string>
 
 namespace netpocket {
 
-// Beside study.csv, study.json, points/ and runs/.
+// Name of the marker file, in the same folder as study.csv, study.json, points/ and runs/.
 inline constexpr char kStudyMarker[] = "netpocket_study.json";
 
-// Whether a study has begun in the folder.
+// Whether the folder is marked by a study.
 bool holds_study(const std::string& folder);
 
-// Holds the folder as long as it lives: no other program runs a study in it. Throws RecordingError with one sentence
-// when the folder holds anything else, another study, or one that is running, or cannot be written.
+// Owns the folder for its lifetime: no other program can run a study in it. Throws RecordingError with one sentence
+// when the folder cannot be written, holds anything else or another study, or when its study is running.
 class OwnedStudyFolder {
  public:
-  // `name`: of the study.
+  // `name`: name of the study.
   OwnedStudyFolder(const std::string& folder, const std::string& name);
   ~OwnedStudyFolder();
   OwnedStudyFolder(const OwnedStudyFolder&) = delete;
@@ -26,7 +26,7 @@ class OwnedStudyFolder {
   void lock(const std::string& folder);
   void check_owner(const std::string& folder, const std::string& name) const;
 
-  int marker_ = -1;  // open and locked
+  int marker_ = -1;  // descriptor of the marker file, locked
 };
 
 }  // namespace netpocket

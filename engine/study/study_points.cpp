@@ -1,5 +1,5 @@
-// Points of a study. Halton sequences are shifted by a random vector modulo 1 (Cranley & Patterson, SIAM J. Numer.
-// Anal. 13 (1976) 904), so that seeds give different samples of the same evenness.
+// Generates the points of a study. Halton sequences are shifted by a random vector modulo 1 (Cranley & Patterson, SIAM
+// J. Numer. Anal. 13 (1976) 904), so that different seeds give different samples that are equally even.
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::array<std::int64_t, kMostSampledAxes> kPrimes = {2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37};
 
-// The digits of `index` in base `base`, mirrored at the point: in [0, 1).
+// Mirrors the digits of `index` in base `base` at the radix point. The result is in [0, 1).
 double radical_inverse(std::int64_t index, std::int64_t base) {
   double value = 0;
   double digit_weight = 1;
@@ -28,7 +28,7 @@ double radical_inverse(std::int64_t index, std::int64_t base) {
   return value;
 }
 
-// A number of a range, at a fraction of the way.
+// Number at a fraction of a range.
 double between(const Axis& axis, double fraction) {
   if (axis.logarithmic) return axis.from * power(axis.to / axis.from, fraction);
   return axis.from + fraction * (axis.to - axis.from);
@@ -36,11 +36,11 @@ double between(const Axis& axis, double fraction) {
 
 std::string number_text(const Axis& axis, double value) {
   if (axis.whole) return fmt::format("{}", std::llround(value));
-  // Twelve digits: enough for any parameter, few enough to hide the round-off of the steps.
+  // Twelve digits suffice for any parameter and hide the rounding errors of the steps.
   return fmt::format("{:.12g}", value);
 }
 
-// A range of whole numbers may hold fewer of them than it has steps: each is taken once.
+// A range may hold fewer whole numbers than it has steps. Each is taken once.
 std::vector<std::string> grid_values(const Axis& axis) {
   if (!axis.values.empty()) return axis.values;
   std::vector<std::string> values;
@@ -57,11 +57,11 @@ std::string sampled_value(const Axis& axis, double fraction) {
     return axis.values[static_cast<std::size_t>(fraction * static_cast<double>(axis.values.size()))];
   }
   if (!axis.whole) return number_text(axis, between(axis, fraction));
-  // Every whole number, the ends included, has the same share.
+  // All whole numbers, including both ends, have the same share.
   return fmt::format("{}", static_cast<std::int64_t>(std::floor(axis.from + fraction * (axis.to - axis.from + 1))));
 }
 
-// The values of one combination by axis; the last axis changes fastest.
+// Values of one combination, by axis. The last axis changes fastest.
 std::vector<Setting> grid_settings(const std::vector<Axis>& axes, const std::vector<std::vector<std::string>>& values,
                                    std::size_t combination) {
   std::vector<Setting> settings(axes.size());
@@ -87,7 +87,7 @@ std::vector<std::vector<Setting>> grid(const Study& study) {
 std::vector<std::vector<Setting>> halton(const Study& study) {
   std::mt19937_64 random(static_cast<std::uint64_t>(study.seed));
   std::vector<double> shift(study.axes.size());
-  // The generator's upper 53 bits: the same on every platform, which a standard distribution is not.
+  // The upper 53 bits of the generator are the same on every platform. Standard distributions are not.
   for (double& s : shift) s = std::ldexp(static_cast<double>(random() >> 11), -53);
   std::vector<std::vector<Setting>> points(static_cast<std::size_t>(study.samples));
   for (std::size_t i = 0; i < points.size(); ++i) {

@@ -26,7 +26,7 @@ void append(std::string& bytes, const void* values, std::size_t size) {
   bytes.append(static_cast<const char*>(values), size);
 }
 
-// The mesh that a scenario takes from a file, which its text only names.
+// The mesh data of a scenario. Its text only names the file.
 std::string mesh_bytes(const Scenario& scenario) {
   if (scenario.target.shape != TargetShape::mesh) return {};
   const auto shape = target_shape(scenario);
@@ -50,7 +50,7 @@ StudyRecord head(std::size_t index, const StudyPoint& point, const std::string& 
           {"identity", identity}};
 }
 
-// As RFC 4180 has it, but that a row is a line: ends of lines in a text are written as in TOML.
+// Follows RFC 4180, except that each row is one line: line ends in a text are escaped as in TOML.
 std::string csv_cell(const std::string& text) {
   if (text.find_first_of(",\"\n\r") == text.npos) return text;
   std::string cell(1, '"');
@@ -74,7 +74,7 @@ std::string csv_cell(const Json& value) {
 
 std::string csv_line(const std::vector<std::string>& cells) { return fmt::format("{}\n", fmt::join(cells, ",")); }
 
-// Settings that not all points share.
+// Keys of settings that not all points share.
 std::vector<std::string> varied_keys(const std::vector<StudyPoint>& points) {
   std::vector<std::string> keys;
   for (const StudyPoint& point : points) {
@@ -89,7 +89,7 @@ std::vector<std::string> varied_keys(const std::vector<StudyPoint>& points) {
 
 struct Column {
   const char* name;
-  const char* pointer;  // into the summary
+  const char* pointer;  // JSON pointer into the summary
 };
 
 constexpr Column kColumns[] = {

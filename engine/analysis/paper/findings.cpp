@@ -1,5 +1,6 @@
-// F1-F11 of Tang, Deng, Bai, Wei & Zhao, Appl. Sci. 2023, 13, 10377, section 4.2 and conclusions. The limits are what
-// the paper's words mean on its figures ("slight", "clearly", "of the order of"); none follows from a result.
+// F1-F11 of Tang, Deng, Bai, Wei & Zhao, Appl. Sci. 2023, 13, 10377, section 4.2 and conclusions. The limits express
+// the paper's words ("slight", "clearly", "of the order of") on the scale of its figures. None is derived from a
+// result.
 
 #include <fmt/format.h>
 
@@ -21,10 +22,10 @@ namespace {
 
 using Runs = std::vector<RunHistory>;
 
-// "Appears" in a plot whose scale is set by F_y.
+// Fraction of peak |F_y| above which a force "appears" in a plot whose scale is set by F_y.
 constexpr double kNoticeable = 0.02;
 constexpr double kEqualWithinFactor = 2;
-constexpr double kPush = 0.25;            // part of the largest impulse that counts as a push
+constexpr double kPush = 0.25;            // fraction of the largest impulse from which an episode counts as a push
 constexpr std::size_t kPushesShown = 5;   // in the text
 constexpr double kTargetRest = 1e-3;      // m
 constexpr double kSpacecraftRest = 1e-2;  // m
@@ -48,7 +49,7 @@ std::string ends_before(const RunHistory& run, const char* what, double time) {
   return fmt::format("run ends at t = {:.4g} s, before {} at {:.4g} s", run.end(), what, time);
 }
 
-// What is missing to judge the closing phase; empty when nothing is.
+// Why the closing phase cannot be judged; empty when it can.
 std::string missing_closing(const RunHistory& run) {
   if (std::isnan(run.closing_end())) return "the recording does not say when the closing ends";
   if (run.after_closed().empty()) return ends_before(run, "the closing is over", run.closing_end());
@@ -85,7 +86,7 @@ FindingCase largest_force_before_closed(const RunHistory& run) {
                  {{"peak |F|", "N", peak.value}, {"time of the peak", "s", peak.time}});
 }
 
-// One push as text, and whether it acts as the paper says.
+// Describes one push: impulse, time and regions.
 std::string push_text(const ContactEpisode& push, const RegionImpulse& by) {
   return fmt::format(
       "{:+.3g} N s from t = {:.3g} s ({:.0f} % mouth, {:.0f} % kink row, {:.0f} % cone{}; y = {:.3g} m)", push.impulse,
@@ -118,7 +119,7 @@ FindingCase forces_alternate(const RunHistory& run) {
     measures.push_back({story[i].what, "N s", pushes[i].impulse});
     const bool in_order = pushes[i].impulse * story[i].sign > 0;
     holds = holds && in_order && by.share(story[i].region) > 0.5;
-    // What is not known may be the expected region's: no verdict where that would turn it.
+    // The unassigned impulse may belong to the expected region. If that could change the verdict, there is none.
     known = known &&
             (!in_order || by.share(story[i].region) > 0.5 || by.share(story[i].region) + by.share_unassigned() <= 0.5);
   }
@@ -140,7 +141,8 @@ FindingCase bodies_rest_then_fluctuate(const RunHistory& run) {
   const FrameRange during = {first_frame, run.until_closed().last};
   const double target_rest = run.excursion(Body::target, before, 0).norm();
   const double craft_rest = run.excursion(Body::spacecraft, before, 0).norm();
-  // From where they were when contact began: what the folding rods did to the spacecraft before is no fluctuation.
+  // Relative to the positions when contact began: the folding rods moved the spacecraft before, which is no
+  // fluctuation.
   const std::size_t at_contact = first_frame > 0 ? first_frame - 1 : 0;
   const double target_y = run.excursion(Body::target, during, at_contact).y();
   const double craft_y = run.excursion(Body::spacecraft, during, at_contact).y();
@@ -214,7 +216,7 @@ FindingCase target_stays_captured(const RunHistory& run) {
   return verdict(run, true, fmt::format("inside until t = {:.4g} s", run.end()));
 }
 
-// Judges a quantity that should rise or fall with the closing time. Runs that close in the same time are not compared.
+// Whether a quantity rises or falls strictly with the closing time. Runs with equal closing times are not compared.
 template <typename Quantity>
 bool is_monotone(Runs runs, const Quantity& quantity, bool rising) {
   const auto earlier = [](const RunHistory& a, const RunHistory& b) { return a.closing_end() < b.closing_end(); };
@@ -234,8 +236,8 @@ bool is_monotone(Runs runs, const Quantity& quantity, bool rising) {
 
 using CaseOf = std::function<FindingCase(const RunHistory&)>;
 
-// The same verdict for all runs; `describe` gives the value and measures of one. A run that cannot be judged, or none
-// to compare with, leaves all without a verdict.
+// Gives all runs the same verdict. `describe` gives the value and measures of one run. If a run cannot be judged, or
+// all close in the same time, no run gets a verdict.
 std::vector<FindingCase> joint_verdict(const Runs& runs, const std::function<Verdict()>& judge,
                                        const CaseOf& describe) {
   const auto closing_end = [](const RunHistory& run) { return run.closing_end(); };
@@ -260,7 +262,7 @@ std::vector<FindingCase> joint_verdict(const Runs& runs, const std::function<Ver
   return cases;
 }
 
-// Draws of the same closing time belong together. A value that comes twice is one draw that was recorded twice.
+// Groups draws by closing time. Equal values are one draw that was recorded twice.
 std::vector<Draws> peaks_by_closing(const Runs& runs) {
   std::map<double, std::set<double>> values;
   for (const RunHistory& run : runs) values[run.closing_end()].insert(peak_y(run, run.all()));
@@ -279,12 +281,12 @@ std::vector<FindingCase> faster_is_harder(const Runs& runs) {
   const auto describe = [&](const RunHistory& run) {
     const double peak = peak_y(run, run.all());
     std::string value = fmt::format("closing ends at {:.4g} s: peak |F_y| {:.3g} N", run.closing_end(), peak);
-    // What all draws say stands at the first of them.
+    // The text on all draws is shown once, with the first run.
     if (ensemble == kOneDraw || &run == &runs.front()) value += "; " + ensemble;
     return verdict(run, false, std::move(value), {{"peak |F_y|", "N", peak}});
   };
   std::vector<FindingCase> cases = joint_verdict(runs, judge, describe);
-  // A run by itself is no less known than three single ones.
+  // A single run is undecided, as three single ones are, and not unknown.
   if (runs.size() == 1 && !cases.front().measures.empty()) cases.front().verdict = Verdict::undecided;
   return cases;
 }
@@ -301,7 +303,7 @@ std::vector<FindingCase> faster_is_earlier(const Runs& runs) {
       });
 }
 
-// Largest |F_x| or |F_z|, whichever is less: of two that should appear, the one that hardly does.
+// The lesser of the peaks |F_x| and |F_z|. If both should appear, it is the critical one.
 double lesser_lateral_peak(const RunHistory& run, FrameRange range) {
   return std::min(std::abs(run.peak(Channel::contact_fx, range).value),
                   std::abs(run.peak(Channel::contact_fz, range).value));

@@ -9,9 +9,9 @@
 namespace netpocket {
 namespace {
 
-// Part of the rods' height by which a cord must differ from the kinks' height to lie above or below them.
+// Height difference to the kinks, as a fraction of the rods' height, from which a cord lies above or below them.
 constexpr double kKinkRow = 1e-3;
-constexpr double kReach = 0.1 + 1e-6;  // s; frame times are sums of steps
+constexpr double kReach = 0.1 + 1e-6;  // s; the margin is for frame times, which are sums of steps
 
 double mean_height(const Snapshot& frame, const std::vector<std::int32_t>& nodes) {
   double sum = 0;
@@ -37,7 +37,7 @@ std::vector<Region> element_regions(const Structure& structure, const Snapshot& 
 
 double RegionImpulse::total() const { return std::accumulate(by_region.begin(), by_region.end(), unassigned); }
 
-// Sums that begin with 0 leave no share of -0.
+// Adding 0.0 turns -0 into 0.
 double RegionImpulse::share(Region region) const { return 0.0 + by_region[static_cast<std::size_t>(region)] / total(); }
 double RegionImpulse::share_unassigned() const { return 0.0 + unassigned / total(); }
 
@@ -65,7 +65,7 @@ PushRegions::FrameForces PushRegions::forces(std::size_t frame, const std::vecto
   FrameForces sum;
   const auto& bodies = run_.recording().structure().bodies;
   for (const ContactPoint& point : run_.recording().contacts(frame)) {
-    // What another body does to the target belongs to no part of the pocket.
+    // Contacts with another body belong to no part of the pocket.
     if (point.element < 0 || bodies[static_cast<std::size_t>(point.body)].role != BodyRole::target) continue;
     const double force = point.force.y();
     sum.y[static_cast<std::size_t>(regions[static_cast<std::size_t>(point.element)])] += force;
@@ -83,7 +83,7 @@ std::array<double, kRegionCount> PushRegions::parts(std::size_t frame, double im
       part[r] += std::max(0.0, impulse > 0 ? forces_[i].y[r] : -forces_[i].y[r]);
     }
   };
-  // The frames at the interval's ends, then the next ones outwards.
+  // Begins with the frames at the interval's ends and continues outwards.
   for (std::size_t away = 0;; ++away) {
     const bool before = frame >= away + 1 && times[frame - 1] - times[frame - 1 - away] <= kReach;
     const bool after = frame + away < times.size() && times[frame + away] - times[frame] <= kReach;

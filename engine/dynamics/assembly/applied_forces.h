@@ -1,6 +1,6 @@
 #pragma once
-// What acts on coordinates besides the elements' internal forces: gravity and constant loads, and what each step adds
-// to them. Most coordinates bear nothing: blocks of coordinates that do are marked, so that the others need not be
+// Forces on coordinates other than the elements' internal forces: gravity and constant loads, and what each step adds
+// to them. Most coordinates bear none. Blocks of coordinates with forces are marked, so that the others need not be
 // read.
 
 #include <algorithm>
@@ -19,7 +19,7 @@ class AppliedForces {
         marks_(static_cast<std::size_t>(forces_.size() / kBlockSize), Mark::nothing),
         constant_marks_(marks_) {}
 
-  // What acts always, N or N m. To be called before anything is added.
+  // Sets the constant forces, N (positions) or N m (gradients). To be called before any add().
   void set_constant(CoordinateVectors constant) {
     constant_.reset();
     forces_ = std::move(constant);
@@ -30,10 +30,10 @@ class AppliedForces {
     const bool any = std::ranges::any_of(marks_, [](Mark mark) { return mark != Mark::nothing; });
     if (any) constant_ = forces_;
   }
-  // Null where nothing acts always.
+  // The constant forces; null if there are none.
   const CoordinateVectors* constant() const { return constant_ ? &*constant_ : nullptr; }
 
-  // Begins a step.
+  // Begins a step: resets all forces to the constant ones.
   void clear() {
     for (const std::int32_t first : touched_) {
       double* rows = forces_.data() + static_cast<std::ptrdiff_t>(first) * kVectorRows;
@@ -56,7 +56,7 @@ class AppliedForces {
   }
 
   CoordinateRows rows() { return forces_.rows(); }
-  // By block of coordinates: 0 where nothing acts.
+  // By block of coordinates: 0 where no force acts.
   const std::uint8_t* loaded() const { return reinterpret_cast<const std::uint8_t*>(marks_.data()); }
 
  private:
@@ -66,8 +66,8 @@ class AppliedForces {
   CoordinateVectors forces_;
   std::optional<CoordinateVectors> constant_;
   std::vector<Mark> marks_;            // by block of coordinates
-  std::vector<Mark> constant_marks_;   // of what acts always
-  std::vector<std::int32_t> touched_;  // first coordinates of blocks
+  std::vector<Mark> constant_marks_;   // marks from constant forces only
+  std::vector<std::int32_t> touched_;  // first coordinates of blocks with Mark::touched
 };
 
 }  // namespace netpocket

@@ -15,8 +15,8 @@ using update_kernel::LaneContribution;
 
 int rotation_of(const LaneContribution& c) { return (c.element_lane - c.coordinate_lane + kBlockSize) % kBlockSize; }
 
-// The contributions as whole blocks, if they are: every group of eight equal (element block, corner, rotation) covers
-// all coordinate lanes.
+// The contributions as whole blocks if possible, else nothing. It is possible if every group of eight with equal
+// element block, corner and rotation covers all coordinate lanes.
 std::optional<std::vector<BlockContribution>> as_whole_blocks(std::span<const LaneContribution> contributions) {
   std::vector<LaneContribution> sorted(contributions.begin(), contributions.end());
   std::ranges::stable_sort(sorted, {}, [](const LaneContribution& c) {
@@ -40,10 +40,10 @@ std::optional<std::vector<BlockContribution>> as_whole_blocks(std::span<const La
   return blocks;
 }
 
-// The blocks of coordinates in as many equal parts as threads share them, each with those that its part of the elements
-// acts on: a thread then finds most of what it reads where it has left it.
+// Divides the coordinate blocks into equal parts, one per thread. Each part holds the blocks on which its part of the
+// elements acts, so that a thread finds most of what it reads in its own cache.
 std::vector<std::int32_t> divide(const std::vector<std::vector<LaneContribution>>& by_block, int parts) {
-  std::vector<double> middle(by_block.size(), 0.0);  // of the elements that act on a block
+  std::vector<double> middle(by_block.size(), 0.0);  // mean index of the element blocks that act on a block
   for (std::size_t i = 0; i < by_block.size(); ++i) {
     for (const LaneContribution& c : by_block[i]) middle[i] += c.element_block;
     if (!by_block[i].empty()) middle[i] /= static_cast<double>(by_block[i].size());

@@ -1,6 +1,6 @@
 #pragma once
-// Which element forces act on which coordinate. Forces are gathered coordinate by coordinate, elements in ascending
-// order, so that the sum does not depend on threads and repeats itself from sector to sector.
+// The map from element forces to coordinates. Forces are summed coordinate by coordinate, with elements in ascending
+// order. So the sum does not depend on the number of threads and is the same in every sector.
 
 #include <span>
 #include <vector>
@@ -12,18 +12,18 @@ namespace netpocket {
 
 class Assembly {
  public:
-  // `threads`: that share the blocks.
+  // `threads`: number of threads that share the coordinate blocks.
   Assembly(std::span<const BatchElement> elements, std::int32_t coordinate_count, int threads);
 
   int block_count() const { return static_cast<int>(blocks_.size()); }
-  // Fills the first four members of a view.
+  // Fills the first four members of `view`. They point into this object, which must outlive the view.
   void describe(update_kernel::UpdateView& view) const;
 
  private:
   void add_block(std::int32_t coordinate_block, std::span<const update_kernel::LaneContribution> contributions);
 
   std::vector<update_kernel::CoordinateBlock> blocks_;
-  std::vector<std::int32_t> place_;  // in blocks_, by block of coordinates
+  std::vector<std::int32_t> place_;  // by block of coordinates: index into blocks_
   std::vector<update_kernel::BlockContribution> block_contributions_;
   std::vector<update_kernel::LaneContribution> lane_contributions_;
 };

@@ -31,7 +31,7 @@ std::vector<std::uint8_t> free_coordinates(const Model& model, const CoordinateL
   return is_free;
 }
 
-// Consistent less lumped mass of all elements, between coordinates.
+// Consistent minus lumped mass of all elements that are not lumped, as entries between coordinates.
 std::vector<Eigen::Triplet<double>> mass_exchange(const Model& model, const CoordinateLayout& layout) {
   std::vector<Eigen::Triplet<double>> entries;
   const std::vector<std::uint8_t> lumped = lumped_elements(model);
@@ -50,16 +50,16 @@ std::vector<Eigen::Triplet<double>> mass_exchange(const Model& model, const Coor
   return entries;
 }
 
-// The permutation that brings row order[i] to place i.
+// The permutation that moves row order[i] to place i.
 Eigen::PermutationMatrix<Eigen::Dynamic> places(const std::vector<int>& order) {
   Eigen::PermutationMatrix<Eigen::Dynamic> place(static_cast<Eigen::Index>(order.size()));
   for (std::size_t i = 0; i < order.size(); ++i) place.indices()[order[i]] = static_cast<int>(i);
   return place;
 }
 
-// Order of elimination of a factor's first `columns` rows by level: a row's level is above those of all rows that it
-// needs, which leaves the factor as it is; within a level by coordinate, so that rows in a row lie side by side in
-// memory. The other rows stay where they are.
+// Orders the first `columns` rows of a factor by level. The level of a row is above the levels of all rows that it
+// depends on, so the factor's values do not change. Within a level rows are sorted by coordinate, so that neighbours
+// are close in memory. The other rows keep their places.
 std::vector<int> order_by_level(const Eigen::SparseMatrix<double>& lower, Eigen::Index columns,
                                 const std::vector<std::int32_t>& coordinate_of_row) {
   std::vector<int> level(lower.rows(), 0), order(lower.rows());
@@ -140,7 +140,7 @@ void ConsistentMass::Triangle::set(const Matrix& matrix, Eigen::Index rows, Eige
   }
 }
 
-// Moves row i of everything by row, and of `matrix`, to place.indices()[i].
+// Moves row i of `matrix` and of coordinate_of_row_ to place.indices()[i].
 void ConsistentMass::reorder(Eigen::SparseMatrix<double>& matrix,
                              const Eigen::PermutationMatrix<Eigen::Dynamic>& place) {
   const std::vector<std::int32_t> before = coordinate_of_row_;
@@ -148,11 +148,11 @@ void ConsistentMass::reorder(Eigen::SparseMatrix<double>& matrix,
   matrix = Eigen::SparseMatrix<double>(place * matrix * place.inverse());
 }
 
-// Keeps the factors of a matrix, and everything by row in the order of elimination: least fill first, rows that change
-// last. Rows of the same level, none of which needs another's result, follow each other, so that the processor need not
-// wait for one before it begins the next.
+// Stores the factors of a matrix, with rows in the order of elimination: least fill first, changing rows last. Rows of
+// one level do not depend on each other and are adjacent, so that the processor need not wait for one before it begins
+// the next.
 void ConsistentMass::factor(const Eigen::SparseMatrix<double>& matrix, const std::vector<std::uint8_t>& changes) {
-  Eigen::PermutationMatrix<Eigen::Dynamic> least_fill;  // its inverse says which row comes when
+  Eigen::PermutationMatrix<Eigen::Dynamic> least_fill;  // its inverse gives the order of rows
   Eigen::AMDOrdering<int>()(matrix.selfadjointView<Eigen::Lower>(), least_fill);
   std::vector<int> order(least_fill.indices().begin(), least_fill.indices().end());
   const auto last = std::stable_partition(order.begin(), order.end(), [&](int row) { return changes[row] == 0; });
@@ -180,7 +180,7 @@ void ConsistentMass::factor(const Eigen::SparseMatrix<double>& matrix, const std
   rows_.resize(coordinate_of_row_.size());
 }
 
-// The rows that were not eliminated, with their present masses.
+// Solves for the rows that were not eliminated, with their present masses.
 void ConsistentMass::solve_last(std::span<const double> mass) {
   Eigen::MatrixXd present = last_matrix_;
   Eigen::MatrixX3d right(present.rows(), 3);

@@ -1,6 +1,6 @@
 #pragma once
-// State of all vector-valued coordinates ("coordinates") of a model: node positions first, then gradients, each group
-// padded to whole blocks of eight. Positions belong to step n, velocities to the half step before it (leapfrog).
+// Values of all vector unknowns ("coordinates") of a model: node positions first, then gradients, each group padded to
+// whole blocks of eight. Positions and gradients belong to step n, velocities to the half step before it (leapfrog).
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace netpocket {
 
-// One vector per coordinate, in blocks of eight.
+// One vector per coordinate, in blocks of eight: eight x, eight y, eight z.
 class CoordinateVectors {
  public:
   explicit CoordinateVectors(std::int32_t count = 0)
@@ -35,18 +35,18 @@ class CoordinateVectors {
     row[2 * kBlockSize] += value.z();
   }
   void set_zero() { std::fill(rows_.begin(), rows_.end(), 0.0); }
-  // Whole blocks.
+  // Number of coordinates, including padding.
   std::int32_t size() const { return static_cast<std::int32_t>(rows_.size() / kVectorRows); }
   CoordinateRows rows() const { return {rows_.data()}; }
   double* data() { return rows_.data(); }
 
-  // The squared norms of the vectors of the blocks that hold `count` coordinates from `first` on (first of its block),
-  // as an expression: a column for each block.
+  // Squared norms of the vectors of the blocks that hold `count` coordinates from `first` on, as an Eigen expression
+  // with one column per block. `first` must be the first coordinate of its block.
   auto squared_norms(std::int32_t first, std::int32_t count) const {
     const auto component = [&](int row) { return component_rows(first, count, row).square(); };
     return (component(0) + component(2)) + component(1);
   }
-  // Likewise of how far they are from those of `other`.
+  // Likewise, squared distances from the vectors of `other`.
   auto squared_distances(const CoordinateVectors& other, std::int32_t first, std::int32_t count) const {
     const auto component = [&](int row) {
       return (component_rows(first, count, row) - other.component_rows(first, count, row)).square();
@@ -60,7 +60,7 @@ class CoordinateVectors {
 
   static std::int32_t blocks_of(std::int32_t count) { return (count + kBlockSize - 1) / kBlockSize; }
   static std::ptrdiff_t place(std::int32_t coordinate) {
-    const auto s = static_cast<std::uint32_t>(coordinate);  // quicker to divide
+    const auto s = static_cast<std::uint32_t>(coordinate);  // unsigned division is faster
     return static_cast<std::ptrdiff_t>(s / kBlockSize) * kBlockRows + s % kBlockSize;
   }
   Eigen::Map<const Blocks, Eigen::Aligned64, Eigen::OuterStride<kBlockRows>> component_rows(std::int32_t first,
@@ -72,8 +72,7 @@ class CoordinateVectors {
   AlignedVector<double> rows_;
 };
 
-// The largest of squared_norms or squared_distances; not a number where one of them is none, which maxima may not see
-// but sums do.
+// Largest value of squared_norms or squared_distances; NaN if any value is NaN. Maxima may miss a NaN, sums do not.
 template <typename Squares>
 double largest_square(const Squares& squares) {
   using Column = Eigen::Array<double, kBlockSize, 1>;
@@ -87,7 +86,7 @@ double largest_square(const Squares& squares) {
   return std::isnan(total) ? total : largest.maxCoeff();
 }
 
-// The vector of a lane in rows x, y, z of a block.
+// The vector of one lane, from rows x, y, z of a block.
 inline Eigen::Vector3d lane_of(const double (&rows)[kVectorRows][kBlockSize], int lane) {
   return {rows[0][lane], rows[1][lane], rows[2][lane]};
 }

@@ -9,7 +9,7 @@
 namespace netpocket {
 namespace {
 
-// m (|a|^2 I - a a^T)
+// Inertia of a point mass at `a`: m (|a|^2 I - a a^T).
 Eigen::Matrix3d point_inertia(double mass, const Eigen::Vector3d& a) {
   return mass * (symmetric_squared_norm(a) * Eigen::Matrix3d::Identity() - a * a.transpose());
 }
@@ -18,7 +18,7 @@ struct AttachedMass {
   std::int32_t coordinate;
   bool direction;
   double mass;
-  Eigen::Vector3d local;  // from the model's body's centre of mass, body axes
+  Eigen::Vector3d local;  // position from the body's own centre of mass, or the gradient; body axes
 };
 
 std::vector<AttachedMass> attached_masses(const Model& model, std::int32_t body, const CoordinateLayout& layout,
@@ -41,7 +41,8 @@ std::vector<AttachedMass> attached_masses(const Model& model, std::int32_t body,
   return list;
 }
 
-// The model's body and its attached masses as one rigid body; `centre` receives the model's body's place in it.
+// The model's body and its attached masses as one rigid body. `centre` receives the own centre of mass of the model's
+// body, relative to the common one.
 RigidBody compound(const ModelBody& body, const std::vector<AttachedMass>& attached, Eigen::Vector3d& centre) {
   double mass = body.mass;
   SectorSum<Eigen::Vector3d> moment(Eigen::Vector3d::Zero());
@@ -66,9 +67,9 @@ RigidBody compound(const ModelBody& body, const std::vector<AttachedMass>& attac
   return rigid;
 }
 
-// 1/kg, that no point of a shape centred at `centre` exceeds in any direction: the largest eigenvalue of
-// 1/M + [a]^T I^-1 [a], which is a convex function of the arm a, at the corners of a box that holds the shape. Normals
-// of a sphere pass through its centre.
+// Upper bound (1/kg) of the inverse mass of any point of a shape centred at `centre`, in any direction. The largest
+// eigenvalue of 1/M + [a]^T I^-1 [a] is a convex function of the arm a, so it is largest at a corner of the shape's
+// bounding box. Normals of a sphere pass through its centre, so for a sphere the arm is that of the centre.
 double largest_inverse_mass(const RigidBody& rigid, const Eigen::Vector3d& centre, const Shape& shape) {
   Eigen::AlignedBox3d box = extents(shape);
   if (std::holds_alternative<Sphere>(shape)) box = Eigen::AlignedBox3d(Eigen::Vector3d::Zero());

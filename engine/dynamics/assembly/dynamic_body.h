@@ -1,6 +1,6 @@
 #pragma once
-// A rigid body of a model during a run, with the nodes and gradients that are attached to it. Their lumped mass moves
-// with the body, so what is stepped is the body and its attachments as one.
+// A rigid body of a model during a run, with the nodes and gradients attached to it. Their lumped mass moves with the
+// body, so the body and its attachments are stepped as one rigid body.
 
 #include <Eigen/Core>
 #include <array>
@@ -27,20 +27,20 @@ struct Wrench {
   friend Wrench operator+(Wrench a, const Wrench& b) { return a += b; }
 };
 
-// What is imposed on a body from outside, until it is changed.
+// What acts on a body from outside, until it is changed.
 struct BodyControl {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();     // N, at `point`
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();     // m, from the body's centre of mass, body axes
-  std::array<std::optional<double>, 3> velocity = {};  // m/s, prescribed velocity components, world axes
-  bool hold_attitude = false;                          // an attitude control takes the torque: no rotation, or `spin`
-  Eigen::Vector3d spin = Eigen::Vector3d::Zero();      // rad/s, prescribed angular velocity where the attitude is held
-  Wrench at_centre = {};                               // besides, about the centre of the body with its attachments
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();     // m, from the own centre of mass, body axes
+  std::array<std::optional<double>, 3> velocity = {};  // m/s, prescribed components of the velocity, world axes
+  bool hold_attitude = false;                          // whether the angular velocity is prescribed, by `spin`
+  Eigen::Vector3d spin = Eigen::Vector3d::Zero();      // rad/s, prescribed angular velocity if hold_attitude
+  Wrench at_centre = {};  // additional, about the centre of mass of the body with its attachments
 
   // Gives every number to `visit`, which may change it.
   void visit_state(const std::function<void(double&)>& visit);
 };
 
-// Of a body with its attachments, at its centre of mass, world axes.
+// Motion of a body with its attachments: of its centre of mass, world axes.
 struct RigidMotion {
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();          // m/s
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  // rad/s
@@ -50,11 +50,11 @@ class DynamicBody {
  public:
   struct Attachment {
     std::int32_t coordinate;
-    bool direction;         // a gradient: turns with the body
-    Eigen::Vector3d local;  // m from the common centre of mass, or the gradient; body axes
+    bool direction;         // whether it is a gradient, which rotates with the body
+    Eigen::Vector3d local;  // position from the common centre of mass (m), or the gradient; body axes
   };
 
-  // `mass` by coordinate.
+  // `body`: index into Model::bodies. `mass`: lumped mass by coordinate.
   DynamicBody(const Model& model, std::int32_t body, const CoordinateLayout& layout, std::span<const double> mass);
 
   RigidBody& rigid() { return rigid_; }
@@ -62,37 +62,37 @@ class DynamicBody {
   const std::vector<Attachment>& attachments() const { return attachments_; }
 
   RigidMotion motion() const { return {rigid_.velocity(), rigid_.angular_velocity()}; }
-  // What the control exerted in the last step, about the centre of mass: what it was told to, and what it took to
-  // prescribe the motion.
+  // Wrench of the control in the last step, about the common centre of mass: what it was told to exert, and what
+  // prescribing the motion required.
   const Wrench& exerted() const { return exerted_; }
 
-  // State of the model's body itself, without attachments.
+  // State of the body without attachments.
   BodyState state() const;
-  // The model's body's centre of mass, world frame, m.
+  // Centre of mass of the body without attachments, world frame, m.
   Eigen::Vector3d centre() const { return rigid_.to_world(centre_); }
 
-  // Sets positions and velocities of the attached coordinates from the body's.
+  // Sets positions and velocities of the attached coordinates from those of the body.
   void move_attachments(CoordinateVectors& coordinates, CoordinateVectors& velocities) const;
-  // Wrench of a generalised force on an attached coordinate.
+  // Wrench, about the common centre of mass, of a generalised force (N, N m) on an attached coordinate.
   Wrench attachment_wrench(const Attachment& attachment, const Eigen::Vector3d& force) const;
 
-  // Kicks by `wrench` and the control over `kick`, drifts by `drift` (s). Returns the work (J) that the control did.
+  // Kicks by `wrench` and the control over `kick` (s), then drifts by `drift` (s). Returns the work (J) of the control.
   double step(const Wrench& wrench, const BodyControl& control, double kick, double drift);
-  // Kinetic energy (J) after half a kick from now.
+  // Kinetic energy (J) after `half_kick` (s) from now, half of a kick.
   double kinetic_energy_after(const Wrench& wrench, const BodyControl& control, double half_kick) const;
-  // The body after a kick from now.
+  // The body after a kick of `kick` (s) from now.
   RigidBody after(const Wrench& wrench, const BodyControl& control, double kick) const;
-  // What an impulse (N s, N m s about the centre of mass) changes of its motion where the control leaves it free: speed
+  // Change of the motion by an impulse (N s, N m s about the centre of mass) where the control leaves it free: velocity
   // of the centre of mass (m/s) and angular velocity (rad/s).
   struct Motion {
     Eigen::Vector3d velocity, spin;
   };
   Motion response(const Wrench& impulse, const BodyControl& control) const;
-  // A unit impulse at a distance r from the centre of mass changes the speed of its point by no more than
-  // inverse_mass() + r^2 largest_inverse_inertia(): 1/kg, 1/(kg m^2).
+  // 1/kg and 1/(kg m^2). A unit impulse at a distance r from the centre of mass changes the velocity of its point by at
+  // most inverse_mass() + r^2 largest_inverse_inertia().
   double inverse_mass() const { return inverse_mass_; }
   double largest_inverse_inertia() const { return largest_inverse_inertia_; }
-  // kg, that any point of the body's surface has at least against a push along the surface's normal.
+  // Smallest effective mass (kg) of any point of the body's surface against a push along the surface normal.
   double least_mass() const { return least_mass_; }
 
  private:
@@ -100,7 +100,7 @@ class DynamicBody {
   Wrench total(const Wrench& wrench, const BodyControl& control, double kick) const;
 
   RigidBody rigid_;
-  Eigen::Vector3d centre_;  // of the model's body, from the common centre of mass, body axes
+  Eigen::Vector3d centre_;  // of the body without attachments, from the common centre of mass, body axes
   std::vector<Attachment> attachments_;
   Wrench exerted_;
   double inverse_mass_;

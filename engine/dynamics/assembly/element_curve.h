@@ -1,5 +1,5 @@
 #pragma once
-// Points and bounds of an element's curve, as contact needs them. m, world axes.
+// Points and bounds of an element's curve, as contact needs them. World frame, m.
 
 #include <Eigen/Geometry>
 #include <array>
@@ -9,12 +9,12 @@
 
 namespace netpocket {
 
-// Of an element: position1, gradient1, position2, gradient2.
+// Coordinates of an element, or weights of these: position1, gradient1, position2, gradient2.
 using ElementIndices = std::array<std::int32_t, 4>;
 using ElementWeights = std::array<double, 4>;
 
-// The point (or its velocity) with these shape functions. In this order an element that is turned end for end gives the
-// same to the last bit. `vectors`: CoordinateVectors, or what has their get().
+// Point of the curve, or its velocity, for the given shape functions. With this order of summation an element that is
+// turned end for end gives the same result to the last bit. `vectors`: CoordinateVectors or a type with its get().
 template <typename Vectors>
 [[gnu::always_inline]] inline Eigen::Vector3d combine(const Vectors& vectors, const ElementIndices& coordinate,
                                                       const ElementWeights& weight) {
@@ -22,8 +22,8 @@ template <typename Vectors>
          (weight[2] * vectors.get(coordinate[2]) + weight[3] * vectors.get(coordinate[3]));
 }
 
-// Box of a cable of this radius round an element of this length: the control polygon of the cubic's Bezier form holds
-// the curve.
+// Bounding box of an element with this length and radius (m). The curve lies within the control polygon of its Bezier
+// form.
 inline Eigen::AlignedBox3d curve_bounds(const CoordinateVectors& coordinates, const ElementIndices& coordinate,
                                         double length, double radius) {
   const Eigen::Vector3d r1 = coordinates.get(coordinate[0]), r2 = coordinates.get(coordinate[2]);
@@ -34,8 +34,8 @@ inline Eigen::AlignedBox3d curve_bounds(const CoordinateVectors& coordinates, co
   return {box.min().array() - radius, box.max().array() + radius};
 }
 
-// Between two checks for faults a diverging state may become anything, and the broad phase does not survive numbers
-// that are none or overflow.
+// Whether a box is finite and within 1e9 m. Between two checks for faults a diverging state may take any value, and the
+// broad phase fails on NaN and overflow.
 inline bool is_sound(const Eigen::AlignedBox3d& box) {
   constexpr double kFarthest = 1e9;  // m
   return box.min().allFinite() && box.max().allFinite() && box.min().cwiseAbs().maxCoeff() < kFarthest &&

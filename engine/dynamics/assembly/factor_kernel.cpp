@@ -1,4 +1,4 @@
-// Compiled once per instruction set, NETPOCKET_ISA_NAME being the variant's namespace.
+// Compiled once per instruction set; NETPOCKET_ISA_NAME is the variant's namespace.
 
 #include "engine/dynamics/assembly/factor_kernel.h"
 
@@ -7,7 +7,7 @@ namespace {
 
 using Four [[gnu::vector_size(4 * sizeof(double)), gnu::may_alias]] = double;
 
-// value - (row of the triangle) x, in two sums: each addition would wait for the one before.
+// value - (row of the triangle) x. Two partial sums shorten the chain of dependent additions.
 [[gnu::always_inline]] inline Four less_row(const TriangleView& triangle, std::int32_t row, const Four* x,
                                             const Four& value) {
   Four even = value, odd{};

@@ -1,16 +1,16 @@
 #pragma once
-// The instruction-set variants of a solve with a sparse factored matrix, x, y and z at once. Internal to
+// Instruction-set variants of the solution with a sparse factored matrix, for x, y and z at once. Internal to
 // ConsistentMass.
 
 #include <cstdint>
 
 namespace netpocket::factor_kernel {
 
-// A strictly triangular matrix by rows.
+// A strictly triangular matrix, stored by rows.
 struct TriangleView {
   std::int32_t rows;
-  const std::int32_t* begin;   // of each row's entries; rows + 1
-  const std::int32_t* column;  // of each entry
+  const std::int32_t* begin;   // index of each row's first entry; rows + 1 values
+  const std::int32_t* column;  // by entry
   const double* value;
 };
 

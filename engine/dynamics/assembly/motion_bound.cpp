@@ -9,7 +9,7 @@
 namespace netpocket {
 namespace {
 
-// Coordinates that a thread takes at once; whole blocks.
+// Number of coordinates that a thread processes at once; whole blocks.
 constexpr int kCoordinateRange = 2048;
 
 motion_kernel::Kernel kernel() {

@@ -1,4 +1,4 @@
-// Compiled once per instruction set, NETPOCKET_ISA_NAME being the variant's namespace.
+// Compiled once per instruction set; NETPOCKET_ISA_NAME is the variant's namespace.
 
 #include "engine/dynamics/assembly/motion_kernel.h"
 
@@ -9,7 +9,7 @@ namespace netpocket::motion_kernel::NETPOCKET_ISA_NAME {
 
 using namespace simd;
 
-// Maxima do not see what is no number, sums do.
+// A maximum may miss a NaN, a sum does not.
 double largest_square(const double* rows, const double* weights, std::size_t blocks) {
   SimdDouble largest[kParts] = {}, sum[kParts] = {};
   for (std::size_t block = 0; block < blocks; ++block) {

@@ -1,12 +1,12 @@
 #pragma once
-// The instruction-set variants of the search for the fastest coordinate. Internal to MotionBound.
+// Instruction-set variants of the search for the fastest coordinate. Internal to MotionBound.
 
 #include <cstddef>
 
 namespace netpocket::motion_kernel {
 
-// The largest of (weight |v|)^2 over `blocks` blocks of eight vectors (CoordinateRows), with a weight for each vector;
-// not a number where one of them is none.
+// Largest (weight |v|)^2 over `blocks` blocks of eight vectors (CoordinateRows), with one weight per vector; NaN if any
+// value is NaN.
 using Kernel = double (*)(const double* rows, const double* weights, std::size_t blocks);
 
 namespace baseline {

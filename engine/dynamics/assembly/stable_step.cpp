@@ -16,13 +16,13 @@ namespace {
 
 using Vectors = std::vector<Eigen::Vector3d>;
 
-// Where an element's stiffness stands in the power iteration: how much strain energy its parts take.
+// Strain energy of a mode in an element, by kind. Tells what kind of mode limits the step.
 struct ModeEnergy {
   double axial = 0;
   double bending = 0;
 };
 
-// By element, of unit length; zero where a cable has no chord.
+// Unit vectors along the chords, by element; zero where a cable has no chord.
 Vectors chord_directions(std::span<const BatchElement> elements, const CoordinateVectors& q) {
   Vectors directions;
   for (const BatchElement& element : elements) {
@@ -31,12 +31,13 @@ Vectors chord_directions(std::span<const BatchElement> elements, const Coordinat
   return directions;
 }
 
-// Change of a straight element's strain.
+// Change of a straight element's strain with the displacements `x`.
 double strain_change(const BatchElement& element, const Eigen::Vector3d& direction, const Vectors& x) {
   return direction.dot(x[element.coordinate[2]] - x[element.coordinate[0]]) / element.length;
 }
 
-// Adds (K + factor C) x of one element to `product`; K of the mean-strain element without tension.
+// Adds (K + factor C) x of one element to `product`, with K of the mean-strain element without tension. Returns its
+// energy and adds to `damping`.
 ModeEnergy add_element_product(std::span<const BatchElement> elements, std::size_t index, const Vectors& directions,
                                double factor, const Vectors& x, Vectors& product, ModeEnergy& damping) {
   const BatchElement& element = elements[index];
@@ -69,7 +70,7 @@ ModeEnergy add_element_product(std::span<const BatchElement> elements, std::size
   return energy;
 }
 
-// Deterministic, dense in all modes.
+// A deterministic start vector with contributions of all modes.
 Vectors start_vector(std::int32_t size) {
   Vectors x(size);
   std::uint32_t seed = 1;
@@ -109,8 +110,8 @@ double stable_step_of_mode(double stiffness, double damping) {
 StableStep find_stable_step(const Model& model, const CoordinateLayout& layout, std::span<const BatchElement> elements,
                             std::span<const double> inverse_mass, const CoordinateVectors& coordinates) {
   constexpr int kIterations = 120, kLeastIterations = 30;
-  constexpr double kSettled = 2e-5;  // relative change of the step by an iteration
-  constexpr double kMargin = 1.02;   // the Rayleigh quotient approaches the highest square frequency from below
+  constexpr double kSettled = 2e-5;  // relative change of the step in one iteration
+  constexpr double kMargin = 1.02;  // safety: the Rayleigh quotient approaches the highest squared frequency from below
   Vectors x = start_vector(coordinates.size()), product(x.size());
   const Vectors directions = chord_directions(elements, coordinates);
   double step = 1e-4;
@@ -138,7 +139,7 @@ StableStep find_stable_step(const Model& model, const CoordinateLayout& layout, 
     }
     for (const Hinge& hinge : model.hinges) {
       const std::int32_t g1 = layout.gradient(hinge.gradient1), g2 = layout.gradient(hinge.gradient2);
-      const Eigen::Vector3d bend = x[g2] - x[g1];  // the rest rotation does not change the size of the stiffness
+      const Eigen::Vector3d bend = x[g2] - x[g1];  // the rest rotation does not change the magnitude of the stiffness
       const double stiffness = hinge.stiffness + factor * hinge.damping;
       product[g2] += stiffness * bend;
       product[g1] -= stiffness * bend;
@@ -168,8 +169,8 @@ StableStep find_stable_step(const Model& model, const CoordinateLayout& layout, 
 
 namespace {
 
-// What hinges add to an element's stiffness and damping, by corner. A hinge's energy k |g2 - g1|^2/2 is at most
-// k |g1|^2 + k |g2|^2: shared so between an element at either side, it is bounded from above.
+// Stiffness and damping that hinges add to an element, by corner. The energy k |g2 - g1|^2/2 of a hinge is at most
+// k |g1|^2 + k |g2|^2. One of the two terms goes to an element at either side, which bounds the energy from above.
 struct HingeShare {
   Eigen::Vector4d stiffness = Eigen::Vector4d::Zero();
   Eigen::Vector4d damping = Eigen::Vector4d::Zero();
@@ -194,8 +195,8 @@ std::vector<HingeShare> hinge_shares(const Model& model) {
   return shares;
 }
 
-// Smallest stable step over the modes of one free element, from its tangents without and with bending stiffness and its
-// mass matrix, which acts on each component alike.
+// Smallest stable step over the modes of one free element. `axial`, `bending`: its tangents with only one of the two
+// stiffnesses. `mass`: its mass matrix, which is the same for each component.
 StableStep smallest_over_modes(const CableSection& section, const ElementTangent& axial, const ElementTangent& bending,
                                const Eigen::Matrix4d& mass, const HingeShare& hinges) {
   const auto by_component = [](const Eigen::Vector4d& by_corner) {
@@ -242,7 +243,7 @@ StableStep find_stable_step_of_full_elements(const Model& model, std::span<const
     ElementCoordinates q;
     for (int corner = 0; corner < 4; ++corner) q.col(corner) = coordinates.get(elements[i].coordinate[corner]);
     CableSection section = elements[i].section;
-    section.compression = 1;  // what is slack now may be taut later
+    section.compression = 1;  // a cable that is slack now may be taut later
     Eigen::Matrix4d mass = consistent_mass(section.mass_per_length, elements[i].length);
     if (lumped[i] != 0) mass = lumped_mass(section.mass_per_length, elements[i].length).asDiagonal();
     const StableStep own = stable_step_of_element<FullElement>(section, elements[i].length, mass, q, hinges[i]);
@@ -269,8 +270,8 @@ double stable_step_of_straight_lumped_element(const CableSection& section, doubl
 
 double stable_step_of_lumped_element(const CableSection& single, double length, bool paired) {
   CableSection section = single;
-  // Of a free pair, the mode that stretches both elements alike has half the square frequency of a single one, the
-  // other one kPairVariation times that of a single one.
+  // Modes of a free pair: the one that stretches both elements alike has half the squared frequency of a single
+  // element, the other one kPairVariation times that.
   if (paired) section.EA *= std::max(0.5, kPairVariation);
   return stable_step_of_straight_lumped_element<MeanStrainElement>(section, length);
 }

@@ -1,4 +1,4 @@
-// Compiled once per instruction set, NETPOCKET_ISA_NAME being the variant's namespace.
+// Compiled once per instruction set; NETPOCKET_ISA_NAME is the variant's namespace.
 
 #include "engine/dynamics/assembly/update_kernel.h"
 
@@ -54,7 +54,7 @@ NETPOCKET_INLINE SimdDouble move(double* coordinate, double* velocity, int part,
   return v;
 }
 
-// Of one kind of coordinates. Maxima do not see what is no number, sums do.
+// Of positions or of gradients. A maximum may miss a NaN, a sum does not.
 struct LargestSquare {
   SimdDouble largest = {}, sum = {};
 };
@@ -110,7 +110,7 @@ NETPOCKET_INLINE Fastest move_blocks(const UpdateView& view, int first, int last
   const auto kind = [&](int i) { return view.blocks[i].coordinate_block < view.gradient_block ? 0 : 1; };
   for (int i = first; i < last;) {
     const int of_run = kind(i);
-    LargestSquare largest = fastest[of_run];  // in registers
+    LargestSquare largest = fastest[of_run];  // local copy, to be kept in registers
     for (; i < last && kind(i) == of_run; ++i) move_block<kPrefetches>(view, view.blocks[i], kick, drift, largest);
     fastest[of_run] = largest;
   }

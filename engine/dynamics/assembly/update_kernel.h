@@ -1,5 +1,5 @@
 #pragma once
-// The instruction-set variants of the coordinate update: sum the element forces on each coordinate, kick, drift.
+// Instruction-set variants of the coordinate update: summing the element forces on each coordinate, kick, drift.
 
 #include <cstddef>
 #include <cstdint>
@@ -8,25 +8,24 @@
 
 namespace netpocket::update_kernel {
 
-// The force rows of a whole element block act on a whole coordinate block: lane i of the coordinates takes lane
+// The force rows of a whole element block act on a whole coordinate block. Lane i of the coordinates takes lane
 // (i + rotation) mod 8 of the elements.
 struct BlockContribution {
-  double sign;             // of the rows: they hold what an element resists with, and on position2 minus that
-  std::int32_t first_row;  // of the three force rows, counted through all element blocks
+  double sign;             // -1, as rows hold internal forces; +1 for position2, which uses minus the rows of position1
+  std::int32_t first_row;  // index of the first of three force rows, over all element blocks
   std::int32_t rotation;
 };
 
-// First of the three force rows of a corner of an element block, counted through all blocks.
+// Index, over all element blocks, of the first of the three force rows of a corner of a block.
 constexpr std::int32_t first_force_row(std::int32_t element_block, Corner corner) {
   constexpr std::int32_t kRow[4] = {0, 3, 0, 6};  // the force on position2 is minus that on position1
   return element_block * kForceRows + kRow[static_cast<int>(corner)];
 }
 
-// Forces that exceed the cache are fetched ahead of their use: this many entries stand behind the last contribution,
-// too.
+// Forces that exceed the cache are prefetched this many contributions ahead, so as many entries follow the last one.
 inline constexpr int kContributionsAhead = 8;
 
-// One element's force on one coordinate.
+// The force of one element on one coordinate.
 struct LaneContribution {
   std::int32_t element_block;
   Corner corner;
@@ -34,38 +33,38 @@ struct LaneContribution {
   std::uint8_t coordinate_lane;
 };
 
-// Contributions to eight consecutive coordinates, in the order in which they are summed.
+// The contributions to eight consecutive coordinates, in order of summation.
 struct CoordinateBlock {
-  std::int32_t coordinate_block = 0;  // the coordinates are slot_block * 8 to slot_block * 8 + 7
+  std::int32_t coordinate_block = 0;  // the coordinates are coordinate_block * 8 to coordinate_block * 8 + 7
   std::int32_t first = 0;
   std::int32_t count = 0;
-  bool regular = false;  // BlockContribution or LaneContribution
+  bool regular = false;  // whether contributions are BlockContribution, else LaneContribution
 };
 
 struct UpdateView {
   const CoordinateBlock* blocks;
-  const std::int32_t* place;  // in `blocks`, by block of coordinates
+  const std::int32_t* place;  // by block of coordinates: index into `blocks`
   const BlockContribution* block_contributions;
   const LaneContribution* lane_contributions;
   const double* element_forces;
-  bool exceeds_cache;          // what a step reads, that of a processor
-  const double* inverse_mass;  // 1/kg (positions), 1/(kg m^2) (gradients); 0: does not move by itself
-  CoordinateRows applied;      // N or N m: everything but element forces
+  bool exceeds_cache;          // whether the data of a step exceeds a processor's cache
+  const double* inverse_mass;  // 1/kg (positions), 1/(kg m^2) (gradients); 0: not free
+  CoordinateRows applied;      // N or N m: all forces but those of elements
   const std::uint8_t* loaded;  // by block of coordinates: 0 where `applied` is zero, so that it need not be read
   double* coordinates;         // CoordinateRows
   double* velocities;
-  const double* weight;         // by coordinate, for Fastest
-  std::int32_t gradient_block;  // the first block of coordinates that are gradients
+  const double* weight;         // by coordinate, as in Fastest
+  std::int32_t gradient_block;  // number of the first block of coordinates that holds gradients
 };
 
-// The largest (weight |v|)^2 of positions and of gradients; not a number where one of them is none.
+// Largest (weight |v|)^2 of positions and of gradients; NaN if any value is NaN.
 struct Fastest {
   double position = 0, gradient = 0;
 };
 
-// v += kick M^-1 F, x += drift v on view.blocks [first, last). Returns the fastest of these.
+// v += kick M^-1 F, x += drift v on view.blocks [first, last). Returns the largest speeds among these.
 using Kernel = Fastest (*)(const UpdateView& view, int first, int last, double kick, double drift);
-// Sums all forces on each of `count` blocks of coordinates into three rows of `forces` (64-byte aligned).
+// Sums all forces on each of `count` blocks of coordinates. Writes three rows per block to `forces` (64-byte aligned).
 using SumKernel = void (*)(const UpdateView& view, const std::int32_t* coordinate_blocks, std::size_t count,
                            double* forces);
 

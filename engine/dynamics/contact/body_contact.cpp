@@ -14,18 +14,18 @@ using Eigen::Vector3d;
 
 Placement placement(const DynamicBody& body) { return {body.centre(), body.rigid().rotation()}; }
 
-// Of a body's point, `arm` from its centre of mass.
+// Velocity of a body's point at `arm` from its centre of mass.
 Vector3d velocity_of(const RigidBody& body, const Vector3d& arm) {
   return body.velocity() + body.angular_velocity().cross(arm);
 }
 
-// How much an impulse of this size changes that.
+// Change of this velocity by an impulse on the body.
 Vector3d change_at(const DynamicBody& body, const BodyControl& control, const Wrench& impulse, const Vector3d& arm) {
   const DynamicBody::Motion motion = body.response(impulse, control);
   return motion.velocity + motion.spin.cross(arm);
 }
 
-// 1/kg
+// 1/kg, of the body's point at `arm` along a unit `direction`.
 double inverse_mass_at(const DynamicBody& body, const BodyControl& control, const Vector3d& arm,
                        const Vector3d& direction) {
   return symmetric_dot(direction, change_at(body, control, {direction, arm.cross(direction)}, arm));
@@ -75,7 +75,7 @@ void BodyContact::find(std::span<const DynamicBody> bodies) {
   }
 }
 
-// Of the places' forces on their first bodies and what is opposite on the second ones.
+// Sums, by body, the places' forces on their first bodies and the opposite forces on the second ones.
 template <typename Force>
 std::vector<Wrench> BodyContact::sum_by_body(const Force& force) const {
   std::vector<std::vector<Vector3d>> forces(force_.size()), torques(force_.size());
@@ -91,8 +91,8 @@ std::vector<Wrench> BodyContact::sum_by_body(const Force& force) const {
   return sums;
 }
 
-// Upper bounds by place (1/kg) of how much unit impulses at all places along their directions change the speed of each:
-// W_ij <= sqrt(W_ii W_jj) for each body.
+// By place, an upper bound (1/kg) of the change of its speed by unit impulses at all places along their directions. It
+// follows from W_ij <= sqrt(W_ii W_jj) for each body.
 template <typename Direction>
 std::vector<double> BodyContact::shared_inverse_masses(const Step& step, const Direction& direction) const {
   std::vector<std::array<double, 2>> roots(places_.size());
@@ -123,7 +123,7 @@ std::vector<RigidBody> BodyContact::after(const Step& step, std::span<const Wren
   return result;
 }
 
-// Of the first body at a place to the second, m/s.
+// Velocity (m/s) of the first body relative to the second at a place.
 Vector3d BodyContact::relative_velocity(const Place& place, const RigidBody& first, const RigidBody& second) {
   return velocity_of(first, place.first_arm) - velocity_of(second, place.second_arm);
 }
@@ -139,7 +139,7 @@ void BodyContact::set_normal_forces(const Step& step, std::span<const Wrench> ot
     const Vector3d& normal = place.touch.normal;
     const double own = inverse_mass_at(step.bodies[first], step.controls[first], place.first_arm, normal) +
                        inverse_mass_at(step.bodies[second], step.controls[second], place.second_arm, normal);
-    if (!(own > 0 && place.elastic > 0)) continue;  // neither body can give way, or so little that nothing is left
+    if (!(own > 0 && place.elastic > 0)) continue;  // neither body can move, or no spring force is left
     const Vector3d change = change_at(step.bodies[first], step.controls[first], springs[first], place.first_arm) -
                             change_at(step.bodies[second], step.controls[second], springs[second], place.second_arm);
     const double together = symmetric_dot(normal, change) / place.elastic;
@@ -158,8 +158,8 @@ void BodyContact::set_normal_forces(const Step& step, std::span<const Wrench> ot
   }
 }
 
-// After the normal forces, which may change the sliding too. Friction opposes the mean of the sliding velocities before
-// and after the step.
+// Computed after the normal forces, which may change the sliding. Friction opposes the mean of the sliding velocities
+// before and after the step.
 void BodyContact::set_friction_forces(const Step& step, std::span<const Wrench> others) {
   if (settings_.friction <= 0) return;
   std::vector<Wrench> wrenches =

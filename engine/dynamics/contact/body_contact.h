@@ -1,16 +1,17 @@
 #pragma once
-// Contact of rigid bodies with each other, by the law that cords obey (contact/force_law.h), at the places that
-// contact/shape_pair.h finds.
+// Contact of rigid bodies with each other, with the force law that also applies to cords (contact/force_law.h), at the
+// places that contact/shape_pair.h finds.
 //
-// The stiffness of a pair is that of its materials, but no more than lets an impact at 1 m/s last sixteen of the first
-// step's, with the least mass that can be met at any point of their surfaces: bodies are few and large, and are
-// resolved better than cords. It stays so: the spring's energy is the same function of the penetration all along,
-// whatever the steps. It is part of the state.
+// Stiffness. A pair has the stiffness of its materials, limited so that an impact at 1 m/s lasts sixteen of the first
+// step. Bodies are few and large, so they are resolved better than cords. The limit uses the smallest mass at any point
+// of their surfaces. The stiffness is constant during a run: the spring's energy is the same function of the
+// penetration for all steps. It is part of the state.
 //
-// All places of a step see the same state. The inertia that one of them meets is what all of them together move, each
-// in proportion to its spring's force.
+// Shared inertia. All places of a step see the same state. The inverse mass of a place counts the effect of all places
+// together, each in proportion to its spring's force.
 //
-// Thread contract: one thread at a time. All that is found, and its order, is the same for any number of threads.
+// World frame. Thread contract: one thread at a time. The places and their order are the same for any number of
+// threads.
 
 #include <functional>
 #include <span>
@@ -25,23 +26,24 @@ namespace netpocket {
 
 class BodyContact {
  public:
-  // Of all pairs of the model's bodies, made up as they are in a run.
+  // Considers all pairs of the model's bodies. `bodies`: by body, with their attachments.
   BodyContact(const Model& model, std::span<const DynamicBody> bodies);
 
   void set_friction(double coefficient) { settings_.friction = coefficient; }
-  // Before the first step of a run, of `dt` (s). Until then places are as stiff as each step resolves.
+  // Fixes the stiffness for a run with a first step of `dt` (s). Without this call, each step has the stiffness that it
+  // resolves.
   void fix_stiffness(double dt);
 
-  // Finds the places at the bodies' present positions.
+  // Finds the contact places at the bodies' present positions.
   void find(std::span<const DynamicBody> bodies);
-  // Adds their forces over the coming step to `wrenches`, by body, which hold all other forces.
+  // Adds the forces over the coming step to `wrenches` (by body), which must already hold all other forces.
   void add_forces(std::span<const DynamicBody> bodies, std::span<const BodyControl> controls, const StepTimes& times,
                   std::vector<Wrench>& wrenches);
 
-  // Of the places found: energy in their springs, J.
+  // Energy (J) in the springs of the places found.
   double stored_energy() const;
-  // What the forces of the last add_forces take out of the motion at the bodies' present velocities, W. Neither is
-  // negative over a step, from the mean of the velocities before and after it.
+  // Power (W) that the forces of the last add_forces take out of the motion at the bodies' present velocities. The mean
+  // of the values before and after a step is not negative.
   struct Power {
     double damping = 0;  // by the dampers
     double friction = 0;
@@ -52,8 +54,8 @@ class BodyContact {
   int count() const { return static_cast<int>(places_.size()); }
   double deepest_penetration() const;                                                // m
   double total_normal_force() const;                                                 // N
-  const Eigen::Vector3d& force_on(std::int32_t body) const { return force_[body]; }  // N, by the last add_forces
-  // Appends each place twice: with the force on either body. They belong to no element.
+  const Eigen::Vector3d& force_on(std::int32_t body) const { return force_[body]; }  // N, of the last add_forces
+  // Appends each place twice, with the force on either body, with element -1.
   void append_points(std::vector<ContactPoint>& points) const;
 
   // Gives every number of the state to `visit`, which may change it.
@@ -64,7 +66,7 @@ class BodyContact {
     std::int32_t first, second;
     ShapePair shapes;
     double material_stiffness;  // N/m^1.5
-    double least_mass;          // kg, that a point of contact can have
+    double least_mass;          // kg, smallest effective mass that a contact point can have
     double stiffness = 0;       // N/m^1.5; 0: not yet fixed
   };
   struct Place {
@@ -72,13 +74,13 @@ class BodyContact {
     Touch touch;
     Eigen::Vector3d first_arm, second_arm;               // m, from the bodies' centres of mass
     double stiffness = 0;                                // N/m^1.5
-    double elastic = 0;                                  // N, of the spring
-    double normal = 0;                                   // N, in all
+    double elastic = 0;                                  // N, of the spring alone
+    double normal = 0;                                   // N, total normal force
     Eigen::Vector3d friction = Eigen::Vector3d::Zero();  // N, on the first body
 
     Eigen::Vector3d force() const { return normal * touch.normal + friction; }  // N, on the first body
   };
-  // Of bodies during one step.
+  // What the forces of one step depend on.
   struct Step {
     std::span<const DynamicBody> bodies;
     std::span<const BodyControl> controls;

@@ -1,5 +1,5 @@
 #pragma once
-// How deep contacts press, against the thickness of the cords: what says whether their springs are stiff enough.
+// Depth of contacts relative to the thickness of the cords. It shows whether their springs are stiff enough.
 
 #include <cstdint>
 #include <functional>
@@ -7,10 +7,10 @@
 namespace netpocket {
 
 struct ContactDepth {
-  double part = 0;  // depth of a cord in a body by its radius, of two cords by the sum of theirs
+  double part = 0;  // penetration / radius of the cord, or overlap / sum of the radii
   std::int32_t element = -1;
-  std::int32_t partner = -1;  // body, or the other cord's element
-  double stiffness = 1;       // of the contact, by that of the materials
+  std::int32_t partner = -1;  // index of the body, or of the other cord's element
+  double stiffness = 1;       // of the contact / of the materials
 
   void keep_deeper(const ContactDepth& other) {
     if (other.part > part) *this = other;
@@ -22,7 +22,7 @@ struct ContactDepth {
     for (std::int32_t* index : {&element, &partner}) {
       double value = *index;
       visit(value);
-      // Files hold states too: what is no index is none.
+      // A file may hold a number that is not a valid index.
       if (value >= -1 && value < 2147483647.0) *index = static_cast<std::int32_t>(value);
     }
     visit(stiffness);

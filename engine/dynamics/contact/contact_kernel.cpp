@@ -1,5 +1,5 @@
-// Compiled once per instruction set, NETPOCKET_ISA_NAME being the variant's namespace. The formulas are those of
-// force_law.h, in the same notation.
+// Compiled once per instruction set; NETPOCKET_ISA_NAME is the variant's namespace. The formulas and notation are those
+// of force_law.h.
 
 #include "engine/dynamics/contact/contact_kernel.h"
 
@@ -18,7 +18,7 @@ NETPOCKET_INLINE SimdVector broadcast3(const double* vector) {
   return {broadcast(vector[0]), broadcast(vector[1]), broadcast(vector[2])};
 }
 
-// Vectors of the contacts' coordinates at a corner, in the blocks of ContactedCoordinates.
+// Vectors of one corner of the contacts, from rows of ContactedCoordinates.
 NETPOCKET_INLINE SimdVector at_places(const double* rows, const ContactBlock& c, int corner, int part) {
   std::ptrdiff_t place[kWidth];
   for (int i = 0; i < kWidth; ++i) {
@@ -29,12 +29,12 @@ NETPOCKET_INLINE SimdVector at_places(const double* rows, const ContactBlock& c,
   return gather3(rows, place);
 }
 
-// Of the body at the contact points.
+// Velocity of the body at the contact points.
 NETPOCKET_INLINE SimdVector body_velocity(const BodyMotion& body, const SimdVector& arm) {
   return broadcast3(body.velocity) + cross(broadcast3(body.angular_velocity), arm);
 }
 
-// RigidBody::inverse_mass_at, and the largest in any direction.
+// As RigidBody::inverse_mass_at, and its upper bound for any direction.
 NETPOCKET_INLINE SimdDouble inverse_mass_along(const BodyMotion& body, const SimdVector& arm,
                                                const SimdVector& direction) {
   const SimdVector turn = cross(arm, direction);
@@ -47,7 +47,7 @@ NETPOCKET_INLINE SimdDouble largest_inverse_mass(const BodyMotion& body, const S
   return broadcast(body.inverse_mass) + dot(arm, arm) * broadcast(body.largest_inverse_inertia);
 }
 
-// The cables' velocity at the contact points, in the order of element_curve.h.
+// Velocity of the cables at the contact points, summed in the order of element_curve.h.
 NETPOCKET_INLINE SimdVector combine(const ContactBlock& c, int part, const SimdVector& a, const SimdVector& b,
                                     const SimdVector& d, const SimdVector& e) {
   return (load(c.weight[0], part) * a + load(c.weight[1], part) * b) +
@@ -63,7 +63,7 @@ NETPOCKET_INLINE SimdVector velocity_at_places(const double* rows, const Contact
                  at_places(rows, c, 3, part));
 }
 
-// ContactedCoordinates::inverse_mass.
+// As ContactedCoordinates::inverse_mass.
 NETPOCKET_INLINE SimdDouble shared_inverse_mass(const ForceView& view, const ContactBlock& c, int part) {
   SimdDouble sum = {};
   for (int corner = 0; corner < 4; ++corner) {
@@ -80,7 +80,7 @@ NETPOCKET_INLINE SimdDouble shared_inverse_mass(const ForceView& view, const Con
   return sum;
 }
 
-// stepped_normal_force, and what stops an approach that would pass the deepest penetration.
+// As stepped_normal_force, but at least the force that stops an approach at the greatest depth.
 struct Push {
   SimdDouble force, is_stopped, is_unresolved;
 };
@@ -104,7 +104,7 @@ NETPOCKET_INLINE SimdDouble spring_force(const ContactBlock& c, int part) {
   return load(c.stiffness, part) * root * root * root;
 }
 
-// sliding_resistance
+// As sliding_resistance.
 NETPOCKET_INLINE SimdDouble resistance(const ForceView& view, const SimdDouble& normal_force, const SimdDouble& speed,
                                        const SimdDouble& w) {
   const SimdDouble stopping = broadcast(1.0) / (w * broadcast(view.dt));
@@ -114,7 +114,8 @@ NETPOCKET_INLINE SimdDouble resistance(const ForceView& view, const SimdDouble& 
 
 }  // namespace
 
-// The nearest point of a chain is no nearer than its nearest vertex, but for half a capsule's length: by Pythagoras.
+// Any point of a chain is within half a capsule of a vertex. By Pythagoras its squared distance is then at least that
+// of the nearest vertex less a quarter of the longest capsule's squared length.
 void vertices(const ElementBlock& block, const Vertex* vertices, std::size_t count, const CoordinateRows& coordinates,
               const double* centre, double* rows) {
   for (int part = 0; part < kParts; ++part) {
@@ -151,16 +152,16 @@ namespace {
 
 NETPOCKET_INLINE SimdDouble smaller(const SimdDouble& a, const SimdDouble& b) { return a < b ? a : b; }
 
-// A capsule's axis against the sphere.
+// A capsule's axis, relative to the sphere.
 struct Piece {
   SimdVector start, along;      // from the sphere's centre
-  SimdDouble nearest;           // way along it, 0 to 1
-  SimdDouble depth;             // there
-  SimdDouble slope;             // of the depth there, 0 between the ends
+  SimdDouble nearest;           // fraction along the axis, 0 to 1
+  SimdDouble depth;             // depth at `nearest`
+  SimdDouble slope;             // of the depth at `nearest`; 0 between the ends
   SimdDouble at_start, at_end;  // depths
 };
 
-// A place in a piece: estimated depth, weight, and what both are worth.
+// A place on a piece, its weight and its score.
 struct Estimate {
   SimdDouble t, weight, score;
 };
@@ -180,7 +181,7 @@ NETPOCKET_INLINE Piece make_piece(const SimdVector& start, const SimdVector& end
   return piece;
 }
 
-// estimate_deepest of segment_contact.h, in the same notation; the weight rises or falls by a half along the piece.
+// As estimate_deepest of segment_contact.h, in the same notation. The weight changes by one half along the piece.
 NETPOCKET_INLINE Estimate estimate(const Piece& piece, double at_start, double at_end) {
   const SimdDouble zero = broadcast(0.0);
   const SimdDouble rise = broadcast(at_end - at_start), here = broadcast(at_start) + rise * piece.nearest;
@@ -203,7 +204,7 @@ NETPOCKET_INLINE Estimate estimate(const Piece& piece, double at_start, double a
   return {piece.nearest + x, weight, piece.depth > zero ? score : broadcast(-1.0)};
 }
 
-// Of two pieces the one that counts more, and its number.
+// The piece with the higher score, and its index.
 struct Choice {
   Estimate estimate;
   SimdDouble number;

@@ -1,6 +1,5 @@
 #pragma once
-// The instruction-set variants of what contact with bodies computes for eight cables at once. Internal to
-// ContactSolver.
+// Instruction-set variants of contact between cables and bodies, for eight contacts at once. Internal to ContactSolver.
 
 #include <cstddef>
 #include <cstdint>
@@ -9,75 +8,77 @@
 
 namespace netpocket {
 
-// Eight contacts of cables with one body. Rows by coordinate or by corner of the cable's element, then lanes.
+// Eight contacts of cables with one body. Arrays are ordered by component or by corner of the cable's element, then by
+// lane.
 struct alignas(64) ContactBlock {
-  double weight[4][kBlockSize];  // shape functions at the contact point
-  double point[3][kBlockSize];   // m, on the cable's axis: where the force acts on both, so that their moments balance
-  double normal[3][kBlockSize];  // outward from the body
-  double penetration[kBlockSize];                     // m; negative: still apart, but within the step's way
-  double stiffness[kBlockSize], damping[kBlockSize];  // NormalLaw
-  double deepest[kBlockSize];                         // m, penetration that no approach may pass
-  double share[kBlockSize];                           // of the cord's contact there, 0 to 1
+  double weight[4][kBlockSize];    // shape functions at the contact point
+  double point[3][kBlockSize];     // m, on the cable's axis; the force acts there on cable and body, so moments balance
+  double normal[3][kBlockSize];    // outward from the body
+  double penetration[kBlockSize];  // m; negative: still apart, but may touch within the step
+  double stiffness[kBlockSize], damping[kBlockSize];  // as in NormalLaw
+  double deepest[kBlockSize];                         // m, greatest depth: no approach may pass it
+  double share[kBlockSize];                           // weight of the contact (contact_search.h), 0 to 1
   double force[3][kBlockSize];                        // N, on the cable
   double normal_force[kBlockSize];                    // N, >= 0
   double elastic[kBlockSize];                         // N, of the spring alone
-  double is_stopped[kBlockSize];     // 1 where the force ends the approach at the greatest depth, else 0
+  double is_stopped[kBlockSize];     // 1 where the force stops the approach at the greatest depth, else 0
   double is_unresolved[kBlockSize];  // 1 where the spring is too stiff for the step (force_law.h: theta > 0), else 0
   double damping_power[kBlockSize], friction_power[kBlockSize];  // W, at the velocities before the step (PowerKernel)
   std::int32_t coordinate[4][kBlockSize];
-  std::int32_t place[4][kBlockSize];  // of the coordinate's block in ContactedCoordinates
+  std::int32_t place[4][kBlockSize];  // index of the coordinate's block in ContactedCoordinates
   std::int32_t element[kBlockSize];
   std::int32_t body;
-  std::int32_t count;  // of contacts; the lanes behind have no weight and no stiffness
+  std::int32_t count;  // number of contacts; the other lanes have zero weight and stiffness
 };
 
 namespace contact_kernel {
 
-// Shape functions at a vertex of the chain of capsules, for an element of unit length.
+// Shape functions at a vertex of the capsule chain, for an element of unit length.
 struct Vertex {
   double position1, gradient1, position2, gradient2;
 };
 
-// World axes.
+// Motion and inertia of a body, world axes.
 struct BodyMotion {
   double position[3], velocity[3];  // m, m/s, of the centre of mass
   double angular_velocity[3];       // rad/s
   double inverse_mass;              // 1/kg
   double inverse_inertia[3][3];     // 1/(kg m^2), about the centre of mass
-  double largest_inverse_inertia;   // its largest eigenvalue
-  double contacts;                  // that share the body's inertia: the sum of their shares
+  double largest_inverse_inertia;   // 1/(kg m^2), largest eigenvalue of the inverse inertia
+  double contacts;                  // sum of the shares of all contacts with the body, which share its inertia
 };
 
 struct ForceView {
   const double* velocities;     // CoordinateRows
-  const double* predicted;      // rows of ContactedCoordinates
-  const double* shared_weight;  // likewise
-  const double* inverse_mass;   // by coordinate, 1/kg
+  const double* predicted;      // predicted velocities, rows of ContactedCoordinates
+  const double* shared_weight;  // sums of weights, of ContactedCoordinates
+  const double* inverse_mass;   // by coordinate, 1/kg or 1/(kg m^2)
   double friction, friction_velocity, dt;
-  double inertia_factor;  // of StepTimes
+  double inertia_factor;  // StepTimes::inertia_factor()
 };
 
-// Vertices (m) of the chains of the elements of a block into three rows each (x, y, z), `count` of them, then a row
-// with a lower bound of each chain's distance from `centre`.
+// Computes the `count` vertices (m) of the capsule chains of a block's elements, three rows each (x, y, z). Then
+// follows a row with a lower bound (m) of each chain's distance from `centre`.
 using VertexKernel = void (*)(const ElementBlock& block, const Vertex* vertices, std::size_t count,
                               const CoordinateRows& coordinates, const double* centre, double* rows);
-// Where the chains of four capsules of eight elements touch a sphere that is much larger than a capsule is long, by the
-// points that share an element (contact_search.h): its first node, its middle, its second node.
+// Places where the chains of four capsules of eight elements touch a sphere much larger than a capsule. By holder of
+// contact (contact_search.h): the element's first node, its middle, its second node.
 struct alignas(64) SpherePlaces {
-  double clearance[kBlockSize];  // m, of the surfaces; the rest is unset where all of a part are positive
-  double place[3][kBlockSize];   // segment and way along it, 0 to 4
-  double depth[3][kBlockSize];   // m; not positive: no contact
+  double clearance[kBlockSize];  // m, between the surfaces; the other members are not set where all
+                                 // clearances of a SIMD part are positive
+  double place[3][kBlockSize];   // index of the capsule plus fraction along it, 0 to 4
+  double depth[3][kBlockSize];   // m; zero or negative: no contact
   double share[3][kBlockSize];
 };
-// `vertices`: rows as VertexKernel fills them, of five vertices. `thickness`: by lane, the sphere's radius and the
-// cord's (m). `centre` of the sphere.
+// `vertices`: rows of five vertices, as VertexKernel fills them. `thickness`: by lane, radius of the sphere plus radius
+// of the cord (m). `centre`: of the sphere (m).
 using SphereKernel = void (*)(const double* vertices, const double* centre, const double* thickness,
                               SpherePlaces& places);
-// Forces of contacts with one body.
+// Computes the forces of `count` blocks of contacts with one body.
 using ForceKernel = void (*)(const ForceView& view, const BodyMotion& body, ContactBlock* contacts, std::size_t count);
-// What contacts take out of the motion at these velocities, W.
+// Power (W) that contacts take out of the motion at given velocities.
 struct ContactPower {
-  double damping = 0;  // by the dampers, and by what stops a cord within a step
+  double damping = 0;  // by dampers, and by stopping a cord within a step
   double friction = 0;
 
   ContactPower& operator+=(const ContactPower& other) {

@@ -17,7 +17,8 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr int kSegments = CordPolyline::kSegments;
 constexpr int kSegmentsOfHalf = kSegments / ContactSearch::kHalves;
 
-// Of a sphere, in lengths of an element, from which on parabolas follow its surface along a capsule.
+// A sphere is large if its radius exceeds this many lengths of the longest element. Then parabolas approximate its
+// surface along a capsule.
 constexpr double kLargeSphere = 1;
 
 struct SearchKernels {
@@ -33,7 +34,7 @@ const SearchKernels& search_kernels() {
   return chosen;
 }
 
-// Below those of places that touch, in the same order.
+// Below the scores of places that touch, in the same order.
 double score_apart(const WeightedPlace& place) {
   return -1 / (std::numeric_limits<double>::min() + std::max(place.score(), 0.0));
 }
@@ -67,7 +68,7 @@ ContactSearch::ContactSearch(const Model& model, std::span<const std::int32_t> n
   forget();
 }
 
-// A cord that is clamped to the body touches it by that.
+// An element with a node on the body is excluded: its attachment already connects it with the body.
 bool ContactSearch::is_touchable(const Model& model, std::int32_t element, std::int32_t body) {
   const ModelElement& e = model.elements[static_cast<std::size_t>(element)];
   const auto is_attached = [&](std::int32_t node) {
@@ -125,7 +126,7 @@ ContactSearch::Chain ContactSearch::chain_of_lane(int lane) const {
   return chain;
 }
 
-// The same as look_at_lanes to round-off, eight elements at once.
+// Equals look_at_lanes to round-off, for eight elements at once.
 void ContactSearch::look_at_sphere(std::int32_t block, const DynamicBody& body, std::vector<CordTouch>& touches) {
   const Vector3d centre = body.centre();
   const std::size_t first = static_cast<std::size_t>(block) * kBlockSize;
@@ -183,12 +184,12 @@ void ContactSearch::look_at_lanes(std::int32_t block, const DynamicBody& body, d
     if (radius < 0 || due_[static_cast<std::size_t>(element)] > approach_ + ahead) continue;
     double clearance = from_centre[lane] - bounding_radius_ - radius;
     if (!(clearance > ahead)) clearance = look_at_element(element, chain_of_lane(lane), body, ahead, touches);
-    // Of a lost state it is no number, and stays due.
+    // In a diverged state the clearance is NaN. The element then stays due.
     due_[static_cast<std::size_t>(element)] = clearance > 0 ? approach_ + clearance : approach_;
   }
 }
 
-// Least distance of the element's surface from the body's (m), or a lower bound where that is more than `ahead`.
+// Least distance (m) between the surfaces of the element and the body. Where it exceeds `ahead`, a lower bound.
 double ContactSearch::look_at_element(std::int32_t element, const Chain& world, const DynamicBody& body, double ahead,
                                       std::vector<CordTouch>& touches) {
   Chain local;
@@ -238,7 +239,7 @@ double ContactSearch::look_at_part(std::int32_t element, std::int32_t part, cons
   return least;
 }
 
-// Of one half of the element and the holder at its end or at its start: the piece that counts most.
+// The piece with the highest score in one half of the element, for the holder at that half's end or start.
 ContactSearch::Candidate ContactSearch::best_in_half(const Contacts& contacts, double radius, double ahead, int half,
                                                      bool towards_end) {
   Candidate best{};
@@ -256,8 +257,8 @@ ContactSearch::Candidate ContactSearch::best_in_half(const Contacts& contacts, d
   return best;
 }
 
-// Nodes are shared by elements that go on with each other. An element's index has room for its node and its middle, and
-// for its second node where its cord ends.
+// Elements that continue each other share the holder at their node. An element owns the holders at its first node and
+// its middle, and at its second node only where its cord ends.
 std::size_t ContactSearch::holder_index(std::int32_t element, Holder holder) const {
   constexpr std::size_t kHolders = 3;
   const std::int32_t next = next_[static_cast<std::size_t>(element)];
@@ -273,7 +274,7 @@ void ContactSearch::touch(const Meeting& meeting, Holder holder, const Candidate
   const SegmentContact& contact = meeting.contacts[segment];
   const Segment piece{meeting.local[segment], meeting.local[segment + 1]};
   const double radius = radius_[element];
-  // One that is still apart is judged as a cord that is thicker by what is looked ahead.
+  // A place that is still apart is judged as if the cord were thicker by `ahead`.
   const bool is_apart = contact.distance >= radius;
   const double thickness = is_apart ? radius + meeting.ahead : radius;
   const SegmentPlace place = find_deepest(parts_[part], piece, contact, thickness, candidate.weight);
@@ -292,7 +293,7 @@ void ContactSearch::touch(const Meeting& meeting, Holder holder, const Candidate
       touches);
 }
 
-// Of the two sides of a node the one that counts more bears the force.
+// At a node, the side with the higher score bears the force.
 void ContactSearch::add(Holder holder, CordTouch touch, std::vector<CordTouch>& touches) {
   const auto element = static_cast<std::size_t>(touch.element), part = static_cast<std::size_t>(touch.part);
   touch.is_cord_end = (holder == kFirst && previous_[element] < 0) || (holder == kSecond && next_[element] < 0);

@@ -1,15 +1,17 @@
 #pragma once
-// Where cords touch one body. A cord is a chain of capsules (cord_polyline.h), and every place of it counts.
+// Finds the places where cords touch one body. A cord is a chain of capsules (cord_polyline.h); contact may occur
+// anywhere on it.
 //
-// Which places bear force. Points half an element apart, its nodes and its middle, share the cord between them: each
-// has a weight that falls in a straight line from one to zero at its neighbours. It touches where weight * depth^2.5,
-// which its spring's energy is proportional to, is largest. The weights add up to one. So a cord on an edge, which is
-// touched in one place, is touched by the same spring wherever that is, in the middle of an element or at a node, and a
-// cord that lies on a face is touched once by each point. The force is the derivative of the springs' energy, since the
-// energy does not depend on the place to first order.
+// Places that bear force. The nodes and middles of elements, half an element apart, are the holders of contact. Each
+// holder has a weight that falls linearly from one at the holder to zero at its neighbours; the weights add up to one.
+// A holder's contact is at the place where weight * depth^2.5 is largest, a product that the energy of its spring is
+// proportional to. So a cord on an edge, which it touches in one place, meets the same spring in the middle of an
+// element as at a node. A cord that lies on a face touches it once for each holder. The force is the derivative of the
+// springs' energy, since the energy does not depend on the place to first order.
 //
-// The search is complete. No point of a cord comes nearer to the body than by the way that note_way is told of, which
-// is what has really moved; an element whose clearance is not used up cannot touch. See THEORY.md, section 6.
+// Completeness. A point of a cord approaches the body by at most the distance passed to note_way, which is measured
+// after each step, not predicted. An element cannot touch the body before this distance exceeds its clearance. See
+// THEORY.md, section 6.
 //
 // World frame, m. Thread contract: one thread at a time.
 
@@ -32,32 +34,35 @@ namespace netpocket {
 // A place where a cord touches the body.
 struct CordTouch {
   std::int32_t element = 0;
-  std::int32_t part = 0;     // of the body
-  std::int32_t segment = 0;  // of the element
-  double t = 0;              // of the way along the segment
-  double share = 0;          // weight, 0 to 1
+  std::int32_t part = 0;     // index into parts()
+  std::int32_t segment = 0;  // index of the element's capsule
+  double t = 0;              // position along the segment, 0 to 1
+  double share = 0;          // weight of the holder there, 0 to 1
   double penetration = 0;    // m; negative: still apart
-  bool is_cord_end = false;  // whether it belongs to an end of the cord
-  double score = 0;          // grows with share * penetration^2.5; of places still apart it is negative
+  bool is_cord_end = false;  // whether its holder is an end of the cord
+  double score = 0;          // increases with share * penetration^2.5; negative for places still apart
   Eigen::Vector3d normal;    // outward from the body
-  Eigen::Vector3d point;     // of the axis
+  Eigen::Vector3d point;     // on the cord's axis
 };
 
 class ContactSearch {
  public:
-  // Half elements: between a node and the middle.
+  // Half elements, each between a node and the middle.
   static constexpr int kHalves = 2;
 
-  // `next`: by element, the one that goes on with its cord, or -1.
+  // `next`: by element, the element that continues its cord, or -1.
   ContactSearch(const Model& model, std::span<const std::int32_t> next, std::int32_t body);
 
-  // To be called when anything has moved other than by what note_way was told.
+  // To be called when anything has moved in another way than note_way was told: after a displacement or a restored
+  // state.
   void forget();
-  // No point of a cord has come nearer to any point of the body than by `way` since the last call.
+  // To be called after each step. `way`: upper bound (m) of the distance by which any point of a cord has approached
+  // any point of the body in it.
   void note_way(double way) { approach_ += way; }
 
-  // All places where cords touch the body, and those that are within `ahead` of it. `batch`: the model's elements with
-  // their present lengths. Their order does not depend on what was asked before and is the same in every sector.
+  // Replaces `touches` with all places where cords touch the body or are within `ahead` (m) of it. `batch`: the model's
+  // elements with their present lengths. The order of the places does not depend on earlier calls and is the same in
+  // every sector.
   void find(const CoordinateVectors& coordinates, const ElementBatch& batch, const DynamicBody& body, double ahead,
             std::vector<CordTouch>& touches);
 
@@ -66,17 +71,17 @@ class ContactSearch {
   double smallest_radius() const { return smallest_radius_; }  // of the cords
 
  private:
-  // The points that share an element: its first node, its middle, its second node.
+  // Holders of an element's contact: its first node, its middle, its second node.
   enum Holder : std::uint8_t { kFirst, kMiddle, kSecond };
   struct Candidate {
-    int segment = -1;  // -1: none
+    int segment = -1;  // -1: no candidate
     PieceWeight weight;
-    double score;  // estimated, as CordTouch::score
+    double score;  // estimate of CordTouch::score
   };
   using Contacts = std::array<SegmentContact, CordPolyline::kSegments>;
   using Chain = std::array<Eigen::Vector3d, CordPolyline::kSegments + 1>;
 
-  // Of a block whose vertices are in rows_.
+  // For the elements of a block whose vertices are in rows_.
   void look_at_sphere(std::int32_t block, const DynamicBody& body, std::vector<CordTouch>& touches);
   void look_at_lanes(std::int32_t block, const DynamicBody& body, double ahead, std::vector<CordTouch>& touches);
   Chain chain_of_lane(int lane) const;
@@ -87,7 +92,7 @@ class ContactSearch {
   double look_at_part(std::int32_t element, std::int32_t part, const Chain& world, const Chain& local,
                       const DynamicBody& body, double ahead, std::vector<CordTouch>& touches);
   static Candidate best_in_half(const Contacts& contacts, double radius, double ahead, int half, bool towards_end);
-  // An element and a part of the body near it.
+  // An element near a part of the body.
   struct Meeting {
     std::int32_t element, part;
     const Chain &world, &local;
@@ -103,16 +108,16 @@ class ContactSearch {
   double bounding_radius_, smallest_radius_;
   std::vector<contact_kernel::Vertex> vertices_;
   std::vector<std::int32_t> next_, previous_;
-  AlignedVector<double> radius_;   // m, by element; negative: it cannot touch the body; whole blocks
-  AlignedVector<double> due_;      // by element: value of approach_ up to which it cannot touch, m; whole blocks
-  std::vector<double> block_due_;  // by block: the least of these
-  bool is_large_sphere_ = false;   // the body, against the capsules
-  double least_due_ = 0;           // of all
-  double approach_ = 0;            // m
-  AlignedVector<double> rows_;     // of one block
-  // By part and holder: place in the touches that are being found, or -1.
+  AlignedVector<double> radius_;   // m, by element, in whole blocks; negative: the element cannot touch the body
+  AlignedVector<double> due_;      // m, by element, in whole blocks: value of approach_ up to which it cannot touch
+  std::vector<double> block_due_;  // by block: the least due_
+  bool is_large_sphere_ = false;   // whether the body is a sphere much larger than a capsule
+  double least_due_ = 0;           // the least due_ of all elements
+  double approach_ = 0;            // m, sum of note_way since forget()
+  AlignedVector<double> rows_;     // vertices of one block
+  // By part and holder: index into the touches that are being found, or -1.
   std::vector<std::vector<std::int32_t>> holder_touch_;
-  std::vector<std::pair<std::int32_t, std::size_t>> taken_;  // part and holder of these
+  std::vector<std::pair<std::int32_t, std::size_t>> taken_;  // part and holder of these entries
 };
 
 }  // namespace netpocket

@@ -12,14 +12,15 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Speed of impact (m/s) for which the springs are deep enough. What presses deeper is stopped there within a step.
+// Impact speed (m/s) that determines a contact's greatest depth. A faster impact is stopped there within one step.
 constexpr double kSoftImpact = 10;
-// Part of a solid's thickness that a cord may press in: well before the other side becomes the nearer one.
+// Largest penetration of a cord's axis as a fraction of a solid's thickness, well before the opposite side becomes the
+// nearer one.
 constexpr double kThicknessPart = 0.25;
-// A step whose way, doubled, is less than this many radii of the thinnest cord needs no look ahead: a cord is then
-// found before it is deeper than its radius.
+// A search ahead is needed only if kGrowingWay times the distance of a step exceeds this many radii of the thinnest
+// cord. Otherwise a cord is found before it is deeper than its radius.
 constexpr double kShortWay = 2;
-// Factor on the way of the last step for what the next one may be longer.
+// Factor on the distance of a step at the present speed, as an allowance for acceleration.
 constexpr double kGrowingWay = 2;
 
 struct ForceKernels {
@@ -59,7 +60,7 @@ int count_marked(std::span<const ContactBlock> contacts, const double (ContactBl
   return count;
 }
 
-// What the kernel of the forces has found, for contacts that are not stopped.
+// Power as found by the force kernel. Valid only if no contact was stopped.
 contact_kernel::ContactPower stored_power(std::span<const ContactBlock> contacts) {
   contact_kernel::ContactPower power;
   for (const ContactBlock& block : contacts) {
@@ -70,7 +71,7 @@ contact_kernel::ContactPower stored_power(std::span<const ContactBlock> contacts
   return power;
 }
 
-// SimdDouble without a contact read what the first one reads, and exert nothing.
+// Unused lanes read the data of the first contact and exert no force.
 void fill_idle_lanes(ContactBlock& block) {
   for (int lane = block.count; lane < kBlockSize; ++lane) {
     for (int corner = 0; corner < 4; ++corner) {
@@ -118,7 +119,7 @@ void ContactSolver::note_motion(double cords, std::span<const double> bodies) {
   }
 }
 
-// The cord's mass that belongs to the place: of half an element, at the end of a cord of a quarter.
+// The cord's mass at a place is that of half an element, or of a quarter at the end of a cord.
 ContactSolver::Law ContactSolver::make_law(const CordTouch& touch, std::int32_t body, double body_mass) const {
   const CableMaterial& material = model_.material_of(touch.element);
   const ModelBody& partner = model_.bodies[static_cast<std::size_t>(body)];
@@ -145,7 +146,7 @@ const ContactSolver::Law& ContactSolver::law_of(const CordTouch& touch, std::int
   return law;
 }
 
-// Shape functions at a touched place of an element of `length` (m).
+// Shape functions at the place of a touch on an element of `length` (m).
 ElementWeights ContactSolver::weights_at(const CordTouch& touch, double length) const {
   const ElementWeights start = polyline_.weights(touch.segment, length);
   const ElementWeights end = polyline_.weights(touch.segment + 1, length);
@@ -189,7 +190,8 @@ void ContactSolver::add_contact(std::int32_t body, double body_mass, const CordT
   partner.shares += touch.share;
 }
 
-// Follows the place along its way relative to the body by its distance from it, which no point can do in less.
+// Follows the place along its velocity relative to the body, by sphere tracing: it advances by the gap to the body,
+// which no point can close sooner.
 bool ContactSolver::hits_within_step(const CordTouch& touch, std::int32_t body, double length,
                                      const CoordinateVectors& velocities, const DynamicBody& dynamic, double dt) const {
   const Vector3d velocity = combine(velocities, polyline_.indices(touch.element), weights_at(touch, length)) -
@@ -209,7 +211,8 @@ bool ContactSolver::hits_within_step(const CordTouch& touch, std::int32_t body, 
   return true;
 }
 
-// How near (m) a cord must be to the body to touch it within the step, if it speeds up no more than by kGrowingWay.
+// Distance (m) from the body within which a cord may touch it in the step, if speeds grow by at most kGrowingWay. 0 if
+// no search ahead is needed.
 double ContactSolver::way_ahead(std::int32_t body, const DynamicBody& dynamic, double cord_speed, double dt) const {
   const ContactSearch& search = partners_[static_cast<std::size_t>(body)].search;
   const RigidBody& rigid = dynamic.rigid();
@@ -276,9 +279,10 @@ void ContactSolver::for_each_contact(const Function& function) const {
   }
 }
 
-// The kernel stops each approach that would pass the greatest depth by itself, with the inertia that it shares. Where
-// neighbours need other forces that leaves a part of the approach, which may be enough to pass through a thin wall. So
-// the forces are completed from the velocities that they lead to. The row sums of mass splitting make that converge.
+// Completes the forces that stop contacts at their greatest depth. The kernel stops each approach by itself, with its
+// share of the inertia. Where neighbours need other forces, a part of the approach remains, which may be enough to pass
+// through a thin wall. So forces are added from the velocities that they lead to, until no approach remains. The row
+// sums of mass splitting (contacted_coordinates.h) make this converge.
 class ContactSolver::Stop {
  public:
   Stop(std::span<ContactBlock> contacts, const RigidBody& body, double shares, ContactedCoordinates& contacted,
@@ -315,7 +319,7 @@ class ContactSolver::Stop {
     }
   }
 
-  // Lets a force (N, on the cord) change the velocities at the step's end.
+  // Applies a force (N, on the cord) to the predicted velocities.
   void push(const ContactBlock& block, int lane, const Vector3d& force) {
     for (int corner = 0; corner < 4; ++corner) {
       const std::int32_t coordinate = block.coordinate[corner][lane];
@@ -330,9 +334,9 @@ class ContactSolver::Stop {
     return symmetric_dot(velocity - body_.velocity_at(lane_of(block.point, lane)), lane_of(block.normal, lane));
   }
 
-  // False when nothing is missing.
+  // Returns false if nothing is missing.
   bool add_what_is_missing() {
-    constexpr double kSmall = 1e-3;  // m/s: a load that stays sinks in no faster
+    constexpr double kSmall = 1e-3;  // m/s: a lasting load sinks in no faster
     missing_.clear();
     double largest = 0;
     for_each([&](const ContactBlock& block, int lane) {
@@ -356,8 +360,8 @@ class ContactSolver::Stop {
     return true;
   }
 
-  // A cord that is stopped within a step has pressed its spring in, which takes up a part of the blow: its mean force
-  // over the way. The rest is spent.
+  // A cord that is stopped within a step has also compressed its spring. The spring takes a part of the impact, its
+  // mean force over the distance. The rest is dissipated.
   void take_up_springs(ContactBlock& block, int lane) const {
     const NormalLaw law{block.stiffness[lane], 0};
     const double before = block.penetration[lane], way = -separation_speed(block, lane) * times_.drift;

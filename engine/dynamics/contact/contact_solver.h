@@ -1,14 +1,16 @@
 #pragma once
-// Contact of cables with rigid bodies: computes the forces at the places where cords touch bodies (contact_search.h)
-// and gives them to nodes, gradients and bodies by virtual work (S^T F).
+// Contact of cables with rigid bodies. Computes the force at each place where a cord touches a body (contact_search.h)
+// and distributes it to nodes, gradients and the body by virtual work (S^T F). Theory: THEORY.md, section 6.
 //
-// A contact is as stiff as its partners' materials, but no stiffer than makes an impact at 1 m/s last eight of the
-// run's first steps, with the least mass that any point of the body can have. The stiffness stays as it is for the
-// whole run: a spring that holds energy does not change with the step. Where a spring is too soft for what comes, the
-// contact ends the approach at a greatest depth (below).
+// Stiffness. A contact has the stiffness of its materials, limited so that an impact at 1 m/s lasts eight steps of the
+// run's first size. The limit uses the smallest mass that any point of the body can have. The stiffness is constant
+// during a run, so that a change of the step neither creates nor destroys energy stored in springs.
 //
-// Contacts of a step see the same state and share the inertia of nodes (contacted_coordinates.h) and, counted likewise,
-// of the body.
+// Greatest depth. A spring that is too soft for an impact would let the cord through. Each contact therefore has a
+// greatest depth, at which the approach is stopped within one step.
+//
+// Shared inertia. All contacts of a step are computed from the same state. Contacts that share nodes or a body share
+// their mass (contacted_coordinates.h), so that their sum does not overshoot.
 
 #include <optional>
 #include <span>
@@ -31,31 +33,33 @@ class ContactSolver {
  public:
   ContactSolver(const Model& model, const CoordinateLayout& layout);
 
-  // To be called when positions have changed other than by steps.
+  // To be called when positions have changed in another way than by a step: after a displacement or a restored state.
   void forget_candidates();
   void set_friction(double coefficient) { settings_.friction = coefficient; }
   // Step (s) that the stiffness of all contacts is for.
   void set_reference_step(double dt);
 
-  // What has moved in a step: no point of a cord by more than `cords`, none of a body by more than bodies[b], m.
+  // To be called after each step with upper bounds (m) of the distance that any point has moved in it: `cords` for
+  // points of cords, bodies[b] for points of body b.
   void note_motion(double cords, std::span<const double> bodies);
 
   // Finds the contacts at this state and enters them in `contacted`. `batch`: the model's elements with their present
-  // lengths. `dt` (s): step over which the forces will act. `cord_speed` (m/s): no point of a cord is faster now.
+  // lengths. `dt`: the step (s) over which the forces will act. `cord_speed`: upper bound (m/s) of the speed of any
+  // point of a cord at this state.
   void find(const CoordinateVectors& coordinates, const CoordinateVectors& velocities, const ElementBatch& batch,
             const std::vector<DynamicBody>& bodies, double cord_speed, double dt, ContactedCoordinates& contacted);
 
-  // Adds the forces of the contacts found on coordinates to `applied` and on bodies to `wrenches` (by body, about the
-  // dynamic body's centre of mass). Contact meets the velocities that `contacted` predicts, so that a cord at rest
-  // presses with just what loads it.
+  // Adds the forces of the contacts found to `applied` (on coordinates) and to `wrenches` (by body, about the dynamic
+  // body's centre of mass). The force opposes the velocities that `contacted` predicts for the end of the step, which
+  // include all other forces. So a cord at rest presses with exactly the force that loads it.
   void add_forces(const CoordinateVectors& velocities, ContactedCoordinates& contacted,
                   std::span<const double> inverse_mass, const std::vector<DynamicBody>& bodies, const StepTimes& times,
                   AppliedForces& applied, std::vector<Wrench>& wrenches);
 
   // Energy in the springs (J) at the state that find was given.
   double stored_energy() const;
-  // What the contacts take out of the motion, besides what their springs store: at the velocities that add_forces was
-  // given, and at these.
+  // Power that the contacts take out of the motion, besides what their springs store: at the velocities that add_forces
+  // was given, and at the given velocities.
   contact_kernel::ContactPower dissipated_power_before() const { return power_before_; }
   contact_kernel::ContactPower dissipated_power(const CoordinateVectors& velocities,
                                                 const std::vector<DynamicBody>& bodies) const;
@@ -65,7 +69,7 @@ class ContactSolver {
   bool has_contacts() const { return !contacts_.empty(); }
   const Eigen::Vector3d& force_on(std::int32_t body) const { return body_force_[body]; }
   double deepest_penetration() const { return deepest_penetration_; }  // m
-  // The deepest by its cord's radius.
+  // The deepest penetration relative to its cord's radius.
   const ContactDepth& deepest_part() const { return deepest_part_; }
   // Contacts that the present forces stop at their greatest depth.
   int stops() const { return stops_; }
@@ -78,33 +82,33 @@ class ContactSolver {
   std::optional<Depth> deepest_contact() const;
 
  private:
-  // Of an element and a body.
+  // Force law of an element with a body.
   struct Law {
     NormalLaw law;
-    double deepest;    // m, penetration that no approach may pass
-    double softening;  // stiffness by that of the materials
+    double deepest;    // m, greatest depth: no approach may pass it
+    double softening;  // stiffness / stiffness of the materials
   };
   struct Partner {
     ContactSearch search;
-    // By part, then element and whether the place is at the end of its cord; of no stiffness: not yet asked for.
+    // By part, then by element and whether the place is at the end of its cord. Zero stiffness: not yet needed.
     std::vector<std::vector<Law>> laws;
-    std::size_t first = 0, last = 0;  // in contacts_
+    std::size_t first = 0, last = 0;  // range in contacts_
     double shares = 0;                // sum of its contacts' shares
   };
   class Stop;
   contact_kernel::ContactPower power_of(std::size_t body, const CoordinateRows& velocities,
                                         const DynamicBody& dynamic) const;
   struct BodySums {
-    SectorSum<Eigen::Vector3d> force, torque;  // N, N m
+    SectorSum<Eigen::Vector3d> force, torque;  // N; N m about the body's centre of mass
   };
 
   void find_contacts(std::int32_t body, const CoordinateVectors& coordinates, const CoordinateVectors& velocities,
                      const ElementBatch& batch, const DynamicBody& dynamic, double cord_speed, double dt);
   double way_ahead(std::int32_t body, const DynamicBody& dynamic, double cord_speed, double dt) const;
-  // Whether a place that is still apart would come to touch within the step.
+  // Whether a place that is still apart would touch the body within the step.
   bool hits_within_step(const CordTouch& touch, std::int32_t body, double length, const CoordinateVectors& velocities,
                         const DynamicBody& dynamic, double dt) const;
-  // `body_mass` (kg): the body's least.
+  // `body_mass` (kg): smallest mass that any point of the body can have.
   void note_depth(std::int32_t body, double body_mass, const CordTouch& touch);
   void add_contact(std::int32_t body, double body_mass, const CordTouch& touch, double length);
   ElementWeights weights_at(const CordTouch& touch, double length) const;
@@ -113,8 +117,8 @@ class ContactSolver {
   void share_inertia(ContactedCoordinates& contacted);
   template <typename Function>
   void for_each_contact(const Function& function) const;
-  // Calls function(block, lane, corner), all contacts of a corner before those of the next: at any one coordinate the
-  // order is then the same in every sector.
+  // Calls function(block, lane, corner), all contacts of a corner before those of the next. So the order at any one
+  // coordinate is the same in every sector.
   template <typename Function>
   void for_each_corner(std::span<ContactBlock> contacts, const Function& function);
 
@@ -125,7 +129,7 @@ class ContactSolver {
   double reference_step_ = 0;
   std::vector<Partner> partners_;         // by body
   std::vector<CordTouch> touches_;        // of one body
-  AlignedVector<ContactBlock> contacts_;  // by body
+  AlignedVector<ContactBlock> contacts_;  // ordered by body
   std::vector<Eigen::Vector3d> body_force_;
   double deepest_penetration_ = 0;
   ContactDepth deepest_part_;

@@ -1,14 +1,15 @@
 #pragma once
-// The nodes and gradients that contacts act on in a step: how many contacts share them, and the velocities that all
+// The nodes and gradients on which contacts act in a step: how many contacts share them, and the velocities that all
 // other forces of the step lead to.
 //
-// All contacts of a step are computed from the same state (Jacobi-wise). Where a contact is solved for its own speed
-// (damping, friction, springs too stiff for the step), those that share nodes must share the nodes' inertia too: a
-// contact's inverse mass counts every contact point on its nodes, w = sum_i |S_i| (sum_c |S_i,c|)/m_i, the row sum of
-// the contacts' common inverse mass matrix. No step can then push a node beyond what a single contact would (mass
-// splitting: Tonge, Benevolenski & Voroshilov 2012, doi:10.1145/2185520.2185601).
+// All contacts of a step are computed from the same state (Jacobi iteration). A contact is solved for its own speed
+// where it has damping, friction or a spring too stiff for the step. Contacts that share nodes must then share the
+// nodes' inertia too. So a contact's inverse mass counts every contact on its nodes:
+//   w = sum_i |S_i| (sum_c |S_i,c|)/m_i,
+// the row sum of the contacts' common inverse mass matrix. No step can then push a node beyond what a single contact
+// would (mass splitting: Tonge, Benevolenski & Voroshilov 2012, doi:10.1145/2185520.2185601).
 //
-// Few coordinates are touched, mostly with their whole block (the eight sectors): only their blocks are kept.
+// Contacts act on few coordinates, mostly on all eight of a block (the eight sectors). Only these blocks are stored.
 
 #include <cmath>
 #include <span>
@@ -29,7 +30,7 @@ class ContactedCoordinates {
     blocks_.clear();
     shared_weight_.clear();
   }
-  // A contact acts on `coordinate` with this weight. Returns the place of the coordinate's block among those touched.
+  // Records that a contact acts on `coordinate` with this weight. Returns the index of its block in the rows below.
   std::int32_t share(std::int32_t coordinate, double weight) {
     const auto s = static_cast<std::uint32_t>(coordinate);
     std::int32_t& place = place_[s / kBlockSize];
@@ -41,12 +42,12 @@ class ContactedCoordinates {
     shared_weight_[static_cast<std::size_t>(place) * kBlockSize + s % kBlockSize] += std::abs(weight);
     return place;
   }
-  // By place of a block: rows x, y, z of predicted velocities, and the sums of weights.
+  // By index of a block: rows x, y, z of predicted velocities, and the sums of |weight|.
   const double* predicted_rows() const { return predicted_.data(); }
   const double* shared_weights() const { return shared_weight_.data(); }
 
-  // Velocities after a step of `dt` (s) under everything but contact: `sum_forces(blocks, rows)` fills the rows of
-  // blocks of coordinates with forces.
+  // Predicts the velocities after a kick of `dt` (s) by all forces but contact. To be called after all share() of the
+  // step. `sum_forces(blocks, rows)` fills the rows of the given blocks of coordinates with forces.
   template <typename Function>
   void predict(const CoordinateVectors& velocities, std::span<const double> inverse_mass, double dt,
                const Function& sum_forces) {
@@ -61,13 +62,13 @@ class ContactedCoordinates {
       for (std::size_t k = 0; k < kRows; ++k) row[k] = velocity[k] + (dt * inverse[k % kBlockSize]) * row[k];
     }
   }
-  // The predicted velocity of a coordinate that is touched.
+  // Predicted velocity of a coordinate on which a contact acts.
   Eigen::Vector3d get(std::int32_t coordinate) const {
     const double* row = predicted_.data() + place(coordinate, kRows);
     return {row[0], row[kBlockSize], row[2 * kBlockSize]};
   }
 
-  // Changes the predicted velocity of a coordinate that is touched.
+  // Changes the predicted velocity of a coordinate on which a contact acts.
   void add_to_prediction(std::int32_t coordinate, const Eigen::Vector3d& change) {
     double* row = predicted_.data() + place(coordinate, kRows);
     row[0] += change.x();
@@ -75,7 +76,7 @@ class ContactedCoordinates {
     row[2 * kBlockSize] += change.z();
   }
 
-  // A contact's part of the coordinates' inverse mass, 1/kg.
+  // Inverse mass (1/kg) of a contact, with its coordinates' inertia shared.
   double inverse_mass(const ElementIndices& coordinate, const ElementWeights& weight,
                       std::span<const double> inverse_mass) const {
     double sum = 0;
@@ -88,16 +89,16 @@ class ContactedCoordinates {
  private:
   static constexpr std::size_t kRows = kVectorRows * kBlockSize;
 
-  // Of the coordinate's first value in rows of which a block has `stride`.
+  // Index of a coordinate's first value, in rows of which a block takes `stride` values.
   std::size_t place(std::int32_t coordinate, std::size_t stride) const {
     const auto s = static_cast<std::uint32_t>(coordinate);
     return static_cast<std::size_t>(place_[s / kBlockSize]) * stride + s % kBlockSize;
   }
 
-  std::vector<std::int32_t> place_;    // by block of coordinates: in the following, or -1
-  std::vector<std::int32_t> blocks_;   // that are touched
-  std::vector<double> shared_weight_;  // sum of contact weights
-  AlignedVector<double> predicted_;    // rows x, y, z
+  std::vector<std::int32_t> place_;    // by block of coordinates: index into blocks_, or -1
+  std::vector<std::int32_t> blocks_;   // blocks of coordinates on which contacts act
+  std::vector<double> shared_weight_;  // by coordinate of blocks_: sum of |weight|
+  AlignedVector<double> predicted_;    // by block of blocks_: rows x, y, z of velocities
 };
 
 }  // namespace netpocket

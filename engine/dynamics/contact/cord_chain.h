@@ -1,5 +1,5 @@
 #pragma once
-// Which elements go on with each other along a cord: those that share a gradient, the end of one and the start of the
+// Finds which elements continue each other along a cord: they share a gradient, at the end of one and the start of the
 // other.
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace netpocket {
 
-// For each element the one that goes on with its cord at its second end, or -1.
+// For each element, the element that continues its cord at the second end, or -1.
 inline std::vector<std::int32_t> next_elements(const Model& model) {
   std::vector<std::int32_t> starting(model.gradients.size(), -1), next;
   for (std::size_t i = model.elements.size(); i-- > 0;) {
@@ -22,7 +22,7 @@ inline std::vector<std::int32_t> next_elements(const Model& model) {
   return next;
 }
 
-// For each element the one before it, or -1.
+// For each element, the element before it on its cord, or -1.
 inline std::vector<std::int32_t> previous_elements(const std::vector<std::int32_t>& next) {
   std::vector<std::int32_t> previous(next.size(), -1);
   for (std::size_t i = 0; i < next.size(); ++i) {

@@ -12,15 +12,15 @@ namespace {
 
 using Eigen::Vector3d;
 
-// The axes of two cords come no nearer to each other within a step than this part of their thickness.
+// Smallest distance of two cords' axes within a step, as a fraction of the sum of the radii.
 constexpr double kFloor = 0.25;
-// Friction of nearly parallel cords across their axes fades where the sine of the angle between them is below this: it
-// would take moments that grow like one over the sine.
+// Friction of nearly parallel cords across their axes fades below this sine of the angle between them, because it would
+// need moments that grow like 1/sine.
 constexpr double kLeastSine = 0.1;
 
-// Places where two cords touch may appear deep inside each other, as where a cord that hangs on a rod folds along it:
-// there the spring would set free what nobody has put in. Deeper than an impact at kDeepImpact (m/s) goes, contact
-// stops the approach and parts the two at kParting (m/s) at most.
+// Contacts may appear with a deep overlap, as where a cord that is tied to a rod folds along it. The spring would then
+// release energy that nothing has put in. Beyond the depth of an impact at kDeepImpact (m/s), contact therefore only
+// stops the approach and separates the two at kParting (m/s) at most.
 constexpr double kDeepImpact = 10, kParting = 0.1;
 
 ElementWeights difference(const ElementWeights& a, const ElementWeights& b) {
@@ -32,8 +32,8 @@ Segment segment_of(const CordPolyline::Vertices& vertices, std::int32_t segment)
   return {vertices[i], vertices[i + 1]};
 }
 
-// Nearest points as fractions, the same whichever segment comes first: both are minimisers, and the set of these is
-// convex.
+// Fractions of the nearest points, independent of the order of the segments. The mean of the two results is a minimiser
+// too, because the set of minimisers is convex.
 std::array<double, 2> nearest_fractions(const Segment& a, const Segment& b) {
   const SegmentDistance forward = closest_points(a, b), backward = closest_points(b, a);
   return {0.5 * (forward.first_fraction + backward.second_fraction),
@@ -54,9 +54,9 @@ CordContact::CordContact(const Model& model, const CoordinateLayout& layout, con
   previous_ = previous_elements(next_);
 }
 
-// Whether the point at `fraction` of one of the two capsules is a nearest point of its whole cord: an end of a capsule
-// is one only if the cord's way back does not come nearer, and is left to the capsule that begins there. `separation`:
-// from the other cord's point to it.
+// Whether the point at `fraction` of one of the two capsules is a nearest point of its whole cord. An end of a capsule
+// belongs to the capsule that begins there, and is a nearest point only if the capsule before does not come nearer.
+// `separation`: vector from the other cord's point to this one.
 bool CordContact::is_least(const NearSegments& near, bool second, double fraction, const Vector3d& separation,
                            const CoordinateVectors& coordinates, const std::vector<double>& element_length) const {
   if (fraction > 0 && fraction < 1) return true;
@@ -94,7 +94,7 @@ CordContact::Side CordContact::make_side(std::int32_t element, std::int32_t segm
   return side;
 }
 
-// Adds a contact if the two capsules overlap.
+// Adds a contact if the two capsules overlap or may have to be stopped within the step.
 void CordContact::test(const NearSegments& near, const CoordinateVectors& coordinates,
                        const std::vector<double>& element_length) {
   const std::int32_t first = search_.near_elements()[static_cast<std::size_t>(near.first)];
@@ -121,7 +121,7 @@ void CordContact::test(const NearSegments& near, const CoordinateVectors& coordi
   contact.reach = reach;
   for (auto& [side, segment] : {std::pair<Side&, const Segment&>{contact.side[0], one}, {contact.side[1], other}}) {
     const Vector3d axis = segment.end - segment.start;
-    side.length = std::max(symmetric_norm(axis), side.radius);  // a capsule shorter than thick has no direction
+    side.length = std::max(symmetric_norm(axis), side.radius);  // a capsule shorter than its radius has no direction
     const Vector3d direction = axis / side.length;
     side.tangent = direction - symmetric_dot(direction, contact.normal) * contact.normal;
   }
@@ -151,7 +151,7 @@ void CordContact::for_each_corner(const Function& function) const {
   }
 }
 
-// Two cords, and as much again for what speeds up.
+// The factor 4 is 2 for two approaching cords, times 2 for acceleration.
 void CordContact::look_around(const CoordinateVectors& coordinates, const std::vector<double>& element_length,
                               double cord_speed, double dt, const DividedLoop& loop) {
   constexpr double kGrowingWay = 4;
@@ -174,7 +174,7 @@ void CordContact::find(const CoordinateVectors& coordinates, const CoordinateVec
     const std::size_t before = contacts_.size();
     test(near, coordinates, element_length);
     if (contacts_.size() > before) {
-      // One that is still apart counts only if it approaches so fast that it has to be stopped within the step.
+      // A contact that is still apart counts only if its approach must be stopped within the step.
       const Contact& contact = contacts_.back();
       const double speed = symmetric_dot(relative_velocity(contact, velocities).point, contact.normal);
       if (contact.distance > contact.reach && contact.distance + 2 * dt * speed > kFloor * contact.reach) {
@@ -188,13 +188,13 @@ void CordContact::find(const CoordinateVectors& coordinates, const CoordinateVec
       [&](const Side& side, std::size_t corner) { contacted.share(side.coordinate[corner], side.point[corner]); });
 }
 
-// Forces along the two tangents, on the first cord. With the speeds s that belong to them, t_i.v and what the cord's
-// bending adds, the sliding velocity is x_1 t_1 + x_2 t_2 with G x = s, G_ij = t_i.t_j.
+// Forces (N) along the two tangents t_i, on the first cord. The speeds are s_i = t_i.v plus a part from the cords'
+// bending. The sliding velocity is x_1 t_1 + x_2 t_2 with G x = s, G_ij = t_i.t_j.
 std::array<double, 2> CordContact::friction(const Contact& contact, const Velocities& velocity,
                                             const ContactedCoordinates& contacted, std::span<const double> inverse_mass,
                                             double axis_inverse_mass, const StepTimes& times) const {
   std::array<double, 2> speed{};
-  double bending = 0;  // 1/kg, by which the moments add to the inverse mass
+  double bending = 0;  // 1/kg, what the moments add to the inverse mass
   for (std::size_t i = 0; i < 2; ++i) {
     const Side& side = contact.side[i];
     const double lever = -contact.distance / side.length;
@@ -210,7 +210,7 @@ std::array<double, 2> CordContact::friction(const Contact& contact, const Veloci
   const double tu = symmetric_dot(t, u), determinant = tt * uu - tu * tu;
   const std::array<double, 2> x = {(uu * speed[0] - tu * speed[1]) / determinant,
                                    (tt * speed[1] - tu * speed[0]) / determinant};
-  // determinant / trace is no more than G's smaller eigenvalue.
+  // determinant / trace is a lower bound of G's smaller eigenvalue.
   const double factor = times.inertia_factor();
   const double root = std::sqrt(factor * axis_inverse_mass) + std::sqrt(factor * bending * (tt + uu) / determinant);
   const double resistance = sliding_resistance(settings_.friction, settings_.friction_velocity, contact.normal_force,
@@ -228,7 +228,7 @@ void CordContact::set_forces(Contact& contact, const CoordinateVectors& velociti
   const Velocities after = relative_velocity(contact, contacted);
   const double before_speed = symmetric_dot(relative_velocity(contact, velocities).point, contact.normal);
   const double after_speed = symmetric_dot(after.point, contact.normal);
-  // The effective mass of the law is what moves in the discrete model.
+  // The law's effective mass is that of the discrete model, 1/w.
   const NormalLaw law{contact.stiffness, damping_ * std::sqrt(contact.stiffness / w)};
   const double allowed_approach = std::max(contact.distance - kFloor * contact.reach, 0.0) / times.drift;
   const double stopping = (-allowed_approach - after_speed) / (times.kick * w);
@@ -265,7 +265,7 @@ void CordContact::add_forces(const CoordinateVectors& velocities, const Contacte
   });
 }
 
-// Deeper than its spring is, a contact stores what that can hold.
+// A contact deeper than its spring stores only the energy of the spring at its greatest depth.
 double CordContact::stored_energy() const {
   double energy = 0;
   for (const Contact& contact : contacts_) {

@@ -1,21 +1,23 @@
 #pragma once
-// Contact of nets, ropes and rods among themselves. Cords are chains of capsules (cord_polyline.h); where two of them
+// Contact of nets, ropes and rods with each other. Cords are chains of capsules (cord_polyline.h). Where two capsules
 // overlap, the law of force_law.h pushes them apart and Coulomb friction resists their sliding.
 //
-// Forces act on the four ends of the two capsules and go to nodes and gradients by virtual work. The normal force acts
-// along the line between the nearest points of the axes. Friction acts at the surface, so it also bends the cords; what
-// would twist them is left out, for the elements have no torsion. A force along one cord's axis twists neither when it
-// is taken at the other one's axis, so friction is resolved along the two axes, each part at the other's axis, and all
-// forces and moments on the pair are balanced. Parallel cords, which would have to roll, do so freely.
+// Forces act on the ends of both capsules and are distributed to nodes and gradients by virtual work. The normal force
+// acts along the line between the nearest points of the axes. Friction acts at the surface, so it also bends the cords.
+// Its twisting part is left out, because the elements have no torsion. To this end friction is resolved along the two
+// axes, and each component acts at the other cord's axis, where it twists neither cord. All forces and moments on the
+// pair are balanced. Parallel cords would have to roll; they do so freely.
 //
-// No stiffer than the run's first steps resolve (resolved_stiffness), and as stiff for the whole run: springs that hold
-// energy do not change with the step. Besides, no contact lets axes come nearer to each other than a quarter of the
-// cords' thickness within a step: what would is stopped there, at the price of a slower rebound. Cords do not pass
-// through each other at any speed that a run's steps can follow.
+// Stiffness. At most what the run's first step resolves (resolved_stiffness). It is constant during the run, because
+// springs that hold energy must not change with the step.
 //
-// All contacts of a step see the same state and share the nodes' inertia (contacted_coordinates.h). Forces are summed
-// in an order that is the same in every sector of a pocket, and a pair's forces do not depend on which of the two comes
-// first, so that a symmetric pocket stays symmetric to the last bit.
+// Least distance. Within a step no contact lets the axes come nearer to each other than a quarter of the sum of the
+// radii. A faster approach is stopped there, at the price of a slower rebound. So cords do not pass through each other
+// at any speed that a run's steps can follow.
+//
+// Symmetry. All contacts of a step see the same state and share the nodes' inertia (contacted_coordinates.h). The order
+// of summation is the same in every sector of a pocket, and a pair's forces do not depend on which of the two comes
+// first. So a symmetric pocket stays symmetric to the last bit.
 
 #include <array>
 #include <span>
@@ -35,45 +37,45 @@ namespace netpocket {
 
 class CordContact {
  public:
-  // `coordinates` as built; `inverse_mass` by coordinate.
+  // `coordinates`: the model as built. `inverse_mass`: by coordinate.
   CordContact(const Model& model, const CoordinateLayout& layout, const CoordinateVectors& coordinates,
               std::span<const double> inverse_mass);
   CordContact(const CordContact&) = delete;
   CordContact& operator=(const CordContact&) = delete;
 
-  // To be called when positions have changed other than by steps.
+  // To be called when positions have changed in another way than by a step: after a displacement or a restored state.
   void forget_candidates() { search_.forget(); }
   void set_friction(double coefficient) { settings_.friction = coefficient; }
-  // Step (s) that the stiffness of all contacts is for.
+  // Step (s) that the stiffness of all contacts is based on.
   void set_reference_step(double dt) { reference_step_ = dt; }
 
   // See CordSearch::note_way.
   void note_way(double way) { search_.note_way(way); }
-  // To be called at every step, before find, whose `dt` and velocities are these: no point of a cord is faster than
-  // `cord_speed` (m/s).
+  // Updates the search. To be called at every step before find, with the same state and `dt` (s). `cord_speed`: upper
+  // bound (m/s) of the speed of any point of a cord.
   void look_around(const CoordinateVectors& coordinates, const std::vector<double>& element_length, double cord_speed,
                    double dt, const DividedLoop& loop);
 
-  // Finds the contacts at this state and enters them in `contacted`. `element_length`: current material length by
-  // element (m). `dt` (s): step over which the forces will act.
+  // Finds the contacts at this state and enters them in `contacted`. `element_length`: present material length by
+  // element (m). `dt`: the step (s) over which the forces will act.
   void find(const CoordinateVectors& coordinates, const CoordinateVectors& velocities,
             const std::vector<double>& element_length, double dt, ContactedCoordinates& contacted);
 
-  // Adds the forces of the contacts found to `applied`. Contact meets the velocities that `contacted` predicts.
+  // Adds the forces of the contacts found to `applied`. The forces oppose the velocities that `contacted` predicts.
   void add_forces(const CoordinateVectors& velocities, const ContactedCoordinates& contacted,
                   std::span<const double> inverse_mass, const StepTimes& times, AppliedForces& applied);
 
   // Energy in the springs (J) at the state that find was given.
   double stored_energy() const;
-  // What the contacts take out of the motion at these velocities, besides what their springs store.
+  // Power that the contacts take out of the motion at these velocities, besides what their springs store.
   contact_kernel::ContactPower dissipated_power(const CoordinateVectors& velocities) const;
-  // Contacts of the last find or add_forces that were found deeper than their springs are (see kDeepImpact),
+  // Number of contacts in the last add_forces that are deeper than their springs (kDeepImpact in cord_contact.cpp).
   std::int64_t partings() const { return partings_; }
-  // and whose approach was stopped within the step.
+  // Number of contacts in the last add_forces whose approach was stopped within the step.
   std::int64_t stops() const { return stops_; }
-  // The deepest by the sum of the radii.
+  // The deepest overlap relative to the sum of the radii.
   ContactDepth deepest_part() const;
-  // Contacts that bear force.
+  // Number of contacts that bear force.
   int count() const;
   // Sum of the normal forces, N.
   double total_normal_force() const;
@@ -86,25 +88,25 @@ class CordContact {
     std::int32_t element;
     ElementIndices coordinate;
     std::array<Weights, 2> end;            // shape functions at the capsule's ends
-    Weights point;                         // and at the point of its axis nearest to the other one
-    double fraction;                       // where that is between the ends
-    double radius, length;                 // m, of the capsule
-    Eigen::Vector3d tangent;               // the axis' direction less its part along the normal
+    Weights point;                         // shape functions at the axis point nearest to the other capsule
+    double fraction;                       // position of that point between the ends, 0 to 1
+    double radius, length;                 // m, of the capsule; the length is at least the radius
+    Eigen::Vector3d tangent;               // direction of the axis without its component along the normal
     std::array<Eigen::Vector3d, 2> force;  // N, on the ends
   };
   struct Contact {
     std::array<Side, 2> side;
-    Eigen::Vector3d normal;  // from the second to the first
-    double distance;         // m, of the axes
+    Eigen::Vector3d normal;  // unit vector from the second to the first
+    double distance;         // m, between the axes
     double reach;            // m, sum of the radii
     double stiffness;        // K, N/m^1.5
-    double deepest;          // m, penetration up to which there is a spring
+    double deepest;          // m, overlap beyond which the spring does not act
     double normal_force;     // N
     double elastic;          // N, of the spring alone
   };
-  struct Velocities {  // of a contact, m/s: first less second
+  struct Velocities {  // m/s, of the first side relative to the second
     Eigen::Vector3d point;
-    std::array<Eigen::Vector3d, 2> spread;  // by side, of its first end against its second
+    std::array<Eigen::Vector3d, 2> spread;  // by side: of its first end relative to its second
   };
 
   bool is_least(const NearSegments& near, bool second, double fraction, const Eigen::Vector3d& separation,
@@ -119,8 +121,8 @@ class CordContact {
   std::array<double, 2> friction(const Contact& contact, const Velocities& velocity,
                                  const ContactedCoordinates& contacted, std::span<const double> inverse_mass,
                                  double axis_inverse_mass, const StepTimes& times) const;
-  // Calls function(contact, side, corner) for every node and gradient of every contact, such that the order of those at
-  // any one coordinate is the same in every sector.
+  // Calls function(side, corner) for every node and gradient of every contact. The order at any one coordinate is the
+  // same in every sector.
   template <typename Function>
   void for_each_corner(const Function& function) const;
 
@@ -128,13 +130,13 @@ class CordContact {
   ContactSettings settings_;
   double damping_;  // alpha of force_law.h
   double reference_step_ = 0;
-  double ahead_ = 0;  // m, distance of surfaces within which cords may need to be stopped in the coming step
+  double ahead_ = 0;  // m, gap within which cords may need to be stopped in the coming step
   std::int64_t partings_ = 0, stops_ = 0;
   CordPolyline polyline_;
   CordPairs pairs_;
   CordSearch search_;
-  std::vector<std::int32_t> previous_, next_;     // by element: the one before it and after it along its cord, or -1
-  std::vector<CordPolyline::Vertices> vertices_;  // of search_.near_elements()
+  std::vector<std::int32_t> previous_, next_;     // by element: the element before and after it on its cord, or -1
+  std::vector<CordPolyline::Vertices> vertices_;  // by search_.near_elements()
   std::vector<Contact> contacts_;
   std::vector<std::int32_t> contact_of_near_;  // by search_.near(): index into contacts_, or -1
 };

@@ -12,10 +12,10 @@ namespace {
 using Eigen::AlignedBox3d;
 using Eigen::Vector3d;
 
-// Elements joined by less cord than so many times the diameter of either are neighbours.
+// Elements are neighbours if the cord between them is shorter than this many diameters of either.
 constexpr double kNeighbourhood = 2;
 
-// Elements at each node.
+// Indices of the elements at each node.
 std::vector<std::vector<std::int32_t>> elements_by_node(const Model& model) {
   std::vector<std::vector<std::int32_t>> result(model.nodes.size());
   for (std::size_t i = 0; i < model.elements.size(); ++i) {
@@ -25,12 +25,11 @@ std::vector<std::vector<std::int32_t>> elements_by_node(const Model& model) {
   return result;
 }
 
-// The elements that hang on to the ends of element `index`, and beyond them as far as the way along the cords is below
-// `reach` (m). Sorted.
+// The elements within `reach` (m) of the ends of `start`, measured along the cords. Sorted.
 std::vector<std::int32_t> neighbours(const Model& model, const std::vector<std::vector<std::int32_t>>& at_node,
                                      const ModelElement& start, double reach) {
   std::vector<std::int32_t> found;
-  std::map<std::int32_t, double> left = {{start.node1, reach}, {start.node2, reach}};  // by node
+  std::map<std::int32_t, double> left = {{start.node1, reach}, {start.node2, reach}};  // m, by node
   std::vector<std::int32_t> open = {start.node1, start.node2};
   while (!open.empty()) {
     const std::int32_t node = open.back();
@@ -40,7 +39,7 @@ std::vector<std::int32_t> neighbours(const Model& model, const std::vector<std::
       found.push_back(index);
       const double beyond = left[node] - element.length;
       const std::int32_t next = element.node1 == node ? element.node2 : element.node1;
-      if (beyond <= left[next]) continue;  // 0 where nothing has been yet
+      if (beyond <= left[next]) continue;  // left is 0 at nodes not reached yet
       left[next] = beyond;
       open.push_back(next);
     }

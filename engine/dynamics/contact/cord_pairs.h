@@ -1,10 +1,10 @@
 #pragma once
-// Which elements of a model can touch each other at all: all but
-// - those that share a node, or are joined by so little cord that they lie within each other's thickness: at knots and
-//   where cords are tied to rods;
-// - those of two threads that lie in one another as built, such as a closing rope along the mouth's edge: they are one
-//   cord, reeved through one another's loops;
-// - those without thickness, and pairs of which neither can move.
+// Decides which elements of a model can touch each other. Excluded are
+// - elements that share a node, or are joined by so little cord that they lie within each other's thickness, as at
+//   knots and where cords are tied to rods;
+// - elements of two threads that overlap as built, such as a closing rope along the mouth's edge. The two are one cord,
+//   reeved through each other's loops;
+// - elements without thickness, and pairs in which neither element can move.
 
 #include <cstdint>
 #include <span>
@@ -27,11 +27,11 @@ class CordPairs {
   using ThreadPair = std::pair<std::int32_t, std::int32_t>;  // smaller first
 
   const Model& model_;
-  // Near along the cords without sharing a node: those of element i are neighbours_[first_neighbour_[i]] to
+  // Elements near along the cords that share no node. Those of element i are neighbours_[first_neighbour_[i]] to
   // neighbours_[first_neighbour_[i + 1] - 1], sorted.
   std::vector<std::int32_t> neighbours_, first_neighbour_ = {0};
-  std::vector<std::uint8_t> solid_;         // by element: has thickness
-  std::vector<std::uint8_t> moves_;         // by element
+  std::vector<std::uint8_t> solid_;         // by element: whether it has thickness
+  std::vector<std::uint8_t> moves_;         // by element: whether any of its coordinates is free
   std::vector<ThreadPair> joined_threads_;  // sorted
 };
 

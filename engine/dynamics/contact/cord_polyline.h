@@ -1,6 +1,6 @@
 #pragma once
-// Cords as contact among themselves sees them: each element a chain of straight capsules through points of its curve,
-// which ends at the element's nodes. So cords are closed chains: nothing slips through between two capsules.
+// Polylines for the contact of cords: each element is a chain of straight capsules through points of its curve. The
+// chain ends at the element's nodes. So cords are closed chains, and nothing slips through between two capsules.
 
 #include <Eigen/Core>
 #include <array>
@@ -37,7 +37,7 @@ class CordPolyline {
     const Weights& unit = unit_weights_[static_cast<std::size_t>(vertex)];
     return {unit[0], length * unit[1], unit[2], length * unit[3]};
   }
-  // A vertex (m), or its velocity (m/s).
+  // A vertex (m) from coordinates, or its velocity (m/s) from velocities.
   Eigen::Vector3d vertex(const CoordinateVectors& vectors, double length, std::int32_t element, int vertex) const {
     return combine(vectors, indices(element), weights(vertex, length));
   }

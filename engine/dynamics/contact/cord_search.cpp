@@ -13,17 +13,19 @@ namespace {
 using Eigen::AlignedBox3d;
 using Eigen::Vector3d;
 
-// Steps that what is found near should last for, judged by the last step's way, and the most (m) that it may travel.
+// Number of steps for which the list of near capsules should last at the last step's motion, and the largest motion (m)
+// that its margin allows for.
 constexpr double kUsualSteps = 32, kLongestTravel = 0.01;
-// Candidates that are looked at only if the first of them is due.
+// Candidates are grouped. A group is skipped while none of its candidates can be within reach.
 constexpr std::size_t kGroup = 64;
-// Elements that a thread takes at once.
+// Elements or pairs that a thread processes as one piece.
 constexpr int kElementRange = 1024;
-// Clearance (m) below which capsules are tested at every step, at least.
+// Smallest reach (m): capsules nearer than this are tested at every step.
 constexpr double kLeastReach = 0.01;
-// The same in fine nets, where everything would be near: part of the margin of the candidates.
+// Upper limit of the reach as a fraction of broad_margin(), for fine nets in which everything would be near.
 constexpr double kNearPart = 0.25;
-// Margin of the candidates, of the elements' mean length: about as many pairs for any fineness of the mesh.
+// broad_margin() by the elements' mean length, so that the number of candidates per element does not depend on the
+// mesh.
 constexpr double kBroadMargin = 0.45;
 // The pocket's symmetry: index = local * kSectors + sector, as in SectorSum.
 constexpr std::int32_t kSectors = 8;
@@ -55,7 +57,7 @@ CordSearch::CordSearch(const Model& model, const CordPolyline& polyline, const C
       broad_margin_(margin_of_candidates(model)),
       near_place_(model.elements.size(), -1) {}
 
-// Of a lost state even the ways are no numbers: they begin anew, too.
+// In a diverged state the distances are not numbers, so they are reset as well.
 void CordSearch::forget() {
   travelled_ = last_way_ = 0;
   has_candidates_ = is_fresh_ = false;
@@ -143,8 +145,10 @@ void CordSearch::look_at(Candidate& candidate, const CoordinateVectors& coordina
   if (gap < reach) add_near_segments(coordinates, element_length, candidate, reach);
 }
 
-// What is no candidate was apart by more than the margin, and two cords have come nearer by twice what they are
-// displaced at most. That is less than the way travelled where cords vibrate: it is measured when the way is used up.
+// Whether the candidates contain all pairs within `reach`. Pairs outside the list were farther apart than the margin
+// when it was made, and have approached by at most twice the largest displacement since. The path length is an upper
+// bound of that displacement. Where cords vibrate it is much larger, so the displacement itself is measured when the
+// bound fails.
 bool CordSearch::has_candidates_for(double reach, const CoordinateVectors& coordinates,
                                     const std::vector<double>& element_length, const DividedLoop& loop) {
   const auto suffices = [&] { return 2 * displaced_ + reach <= broad_margin_; };
@@ -155,7 +159,7 @@ bool CordSearch::has_candidates_for(double reach, const CoordinateVectors& coord
     longer = std::max(longer, std::abs(element_length[i] - candidate_lengths_[i]));
   }
   displaced_ = motion_.way(candidate_coordinates_, coordinates, loop) + 0.25 * longer;
-  constexpr double kLeastInHand = 0.1;  // of the margin: else the next question would come too soon
+  constexpr double kLeastInHand = 0.1;  // fraction of the margin; with less, the list would be checked again at once
   return 2 * displaced_ + reach <= (1 - kLeastInHand) * broad_margin_;
 }
 
@@ -218,7 +222,8 @@ void CordSearch::sort_sides() {
   for (const auto& [key, side] : keyed_sides_) sides_.push_back(side);
 }
 
-// What was not near then was apart by more than reach_; two cords may have come nearer by twice the way since.
+// Capsules outside the list were farther apart than reach_ when it was made, and have approached by at most twice the
+// path length since.
 void CordSearch::update(const CoordinateVectors& coordinates, const std::vector<double>& element_length, double ahead,
                         const DividedLoop& loop) {
   const double way = 2 * (travelled_ - travelled_at_refresh_) + ahead;

@@ -1,14 +1,19 @@
 #pragma once
-// Looks for the places where cords may touch each other during the next steps.
+// Finds the pairs of capsules on cords that may touch each other in the next steps.
 //
-// In three stages, each of which is asked again only when motion demands it: pairs of elements within a margin of each
-// other (near_pairs.h, seldom), those of them that are near (each only when the way travelled since could have used up
-// its clearance), and the pairs of capsules on near elements (tested at every step by the caller). Nothing near costs
-// nothing.
+// Three lists, each a subset of the one before:
+// 1. Candidates: pairs of elements within broad_margin() of each other. Made seldom, by a sweep over boxes
+// (near_pairs.h).
+// 2. Near elements: candidates within a reach of a few centimetres. A candidate is measured again only when the motion
+//    since the last measurement could have closed its gap.
+// 3. Near capsules: pairs of capsules on near elements. The caller tests these at every step.
 //
-// The answer holds all that may touch: each list has a margin, and is made anew before the way that note_way has been
-// told of, which is what has really moved, has used it up. How fast things move only decides how wide margins are. What
-// the answer holds beyond depends on the history; its order does not.
+// Completeness. A list contains every pair within its margin at the time it was made. Two cords approach each other by
+// at most twice the distance that any point has moved. That distance is measured after each step (note_way), not
+// predicted. A list is made again before twice the distance exceeds its margin, so no pair that touches is missing.
+// Predicted speeds only choose the size of margins.
+//
+// The lists may contain more pairs than needed, which depends on earlier steps. The order of pairs does not.
 
 #include <Eigen/Geometry>
 #include <cstdint>
@@ -40,41 +45,43 @@ class CordSearch {
  public:
   CordSearch(const Model& model, const CordPolyline& polyline, const CordPairs& pairs);
 
-  // To be called when positions have changed other than by steps.
+  // To be called when positions have changed in another way than by a step: after a displacement or a restored state.
   void forget();
 
-  // No point of a cord has moved by more than `way` (m) since the last call.
+  // To be called after each step. `way`: upper bound (m) of the distance that any point of a cord has moved in it.
   void note_way(double way);
-  // To be called at every step, before what it finds is asked for: all that is within `ahead` (m), no more than what
-  // broad_margin() is. `element_length` in m, by element; `loop`: whose threads share what takes long, seldom.
+  // Brings the lists up to date; to be called at every step before near() is used. Then near() contains all capsules
+  // within `ahead` (m, at most broad_margin()) of each other. `element_length` in m, by element. `loop`: threads that
+  // share the work of making candidates.
   void update(const CoordinateVectors& coordinates, const std::vector<double>& element_length, double ahead,
               const DividedLoop& loop);
   double broad_margin() const { return broad_margin_; }
 
   std::span<const std::int32_t> near_elements() const { return near_elements_; }
   std::span<const NearSegments> near() const { return near_; }
-  // Both sides of near(), in an order that is the same in every sector of a pocket (index = local * 8 + sector): by
-  // what the side's own element and the other one are locally, how many sectors lie between, and their segments.
+  // Both sides of near(), in an order that is the same in every sector of a pocket (index = local * 8 + sector). Sorted
+  // by the side's own local element, the other local element, the number of sectors between them, and their segments.
   std::span<const NearSide> sides() const { return sides_; }
 
  private:
   struct Candidate {
     std::int32_t first, second;
-    double clear_until;  // m of travel, as travelled_ counts it, up to which the two cannot touch
+    double clear_until;  // value of travelled_ (m) up to which the two cannot touch
   };
-  // Finds what is near anew.
+  // Makes the lists of near elements and capsules again.
   void refresh(const CoordinateVectors& coordinates, const std::vector<double>& element_length, double ahead,
                const DividedLoop& loop);
-  // Finds its near segments if it is due.
+  // Measures the candidate if it is due, and adds its capsules to near_ if they are within `reach` (m).
   void look_at(Candidate& candidate, const CoordinateVectors& coordinates, const std::vector<double>& element_length,
                double reach);
-  // Whether the candidates hold all pairs within `reach` (m): no point is so far from where it was then.
+  // Whether the candidates contain all pairs within `reach` (m).
   bool has_candidates_for(double reach, const CoordinateVectors& coordinates, const std::vector<double>& element_length,
                           const DividedLoop& loop);
-  // False when the state is lost: then there is nothing to look for.
+  // Returns false if the state has diverged.
   bool find_candidates(const CoordinateVectors& coordinates, const std::vector<double>& element_length,
                        const DividedLoop& loop);
-  // Least gap that two elements can have, by their chords and how far the curves are off them, m.
+  // Lower bound (m) of the gap between two elements, from the distance of their chords and the deviations of the
+  // curves.
   double least_gap(const CoordinateVectors& coordinates, const std::vector<double>& element_length, std::int32_t first,
                    std::int32_t second) const;
   void add_near_segments(const CoordinateVectors& coordinates, const std::vector<double>& element_length,
@@ -86,19 +93,19 @@ class CordSearch {
   const CordPolyline& polyline_;
   const CordPairs& pairs_;
   MotionBound motion_;
-  double broad_margin_;  // m, of the pairs among which candidates are
+  double broad_margin_;  // m, largest gap of the pairs among the candidates
   std::vector<Candidate> candidates_;
-  std::vector<double> group_clear_until_;    // by kGroup candidates: the least clear_until
-  double travelled_ = 0;                     // m, way of any point
-  double travelled_at_refresh_ = 0;          // when what is near was found
-  double displaced_ = 0;                     // m, bound of how far any point is from where it was at candidates_
-  CoordinateVectors candidate_coordinates_;  // when candidates_ were found
-  std::vector<double> candidate_lengths_;    // m, by element, then
+  std::vector<double> group_clear_until_;    // by group of kGroup candidates: the least clear_until
+  double travelled_ = 0;                     // m, path length of any point since candidates_ were found
+  double travelled_at_refresh_ = 0;          // m, travelled_ when near_ was found
+  double displaced_ = 0;                     // m, upper bound of any point's displacement since candidates_ were found
+  CoordinateVectors candidate_coordinates_;  // at which candidates_ were found
+  std::vector<double> candidate_lengths_;    // m, by element, likewise
   bool has_candidates_ = false, is_fresh_ = false;
-  double reach_ = 0;     // m, within which everything was found near then
+  double reach_ = 0;     // m, gap within which near_ was complete when it was found
   double last_way_ = 0;  // m, of the last step
   std::vector<std::int32_t> near_elements_;
-  std::vector<std::int32_t> near_place_;  // by element: in near_elements_, or -1
+  std::vector<std::int32_t> near_place_;  // by element: index into near_elements_, or -1
   std::vector<NearSegments> near_;
   std::vector<NearSide> sides_;
   std::vector<std::pair<std::uint64_t, NearSide>> keyed_sides_;  // for sorting

@@ -20,7 +20,7 @@ struct Direction {
   }
 };
 
-// angle / sin(angle) from the sine and cosine of an angle in [0, pi); tends to 1 where the sine vanishes.
+// angle / sin(angle) for an angle in [0, pi) and its sine; tends to 1 where the sine vanishes.
 double angle_over_sine(double angle, double sine) { return sine < 1e-8 ? 1.0 : angle / sine; }
 
 }  // namespace
@@ -29,7 +29,7 @@ HingeForces hinge_forces(const Hinge& hinge, const Eigen::Vector3d& g1, const Ei
                          const Eigen::Vector3d& g1_rate, const Eigen::Vector3d& g2_rate, const Eigen::Matrix3d& axes,
                          const Eigen::Vector3d& angular_velocity) {
   const Direction d1(g1, g1_rate), d2(g2, g2_rate);
-  // R g1 = axes R0 axes^T g1; its rate has a part from the axes' own rotation.
+  // R g1 = axes R0 axes^T g1. Its rate has a part from the rotation of the axes.
   const auto turn = [&](const Eigen::Vector3d& v) -> Eigen::Vector3d {
     return symmetric_product(axes, symmetric_product(hinge.rest_rotation, symmetric_transposed_product(axes, v)));
   };
@@ -45,9 +45,10 @@ HingeForces hinge_forces(const Hinge& hinge, const Eigen::Vector3d& g1, const Ei
   HingeForces result;
   result.angle = arc_tangent(sine, cosine);
 
-  // d(theta)/d(t2) = -(t - cosine t2)/sine: unit vector across t2, towards t, called `towards2` up to the factor sine.
+  // d(theta)/d(t2) = -(t - cosine t2)/sine is minus the unit vector across t2, towards t. `towards2` is that unit
+  // vector times the sine.
   const Eigen::Vector3d towards2 = t - cosine * d2.unit;
-  const Eigen::Vector3d towards1 = d2.unit - cosine * t;  // the same across t, towards t2
+  const Eigen::Vector3d towards1 = d2.unit - cosine * t;  // likewise across t, towards t2
   const double angle_rate =
       sine < 1e-12 ? 0.0 : -(symmetric_dot(towards2, d2.rate) + symmetric_dot(towards1, t_rate)) / sine;
   const double damping_moment = hinge.damping * angle_rate;
@@ -58,7 +59,7 @@ HingeForces hinge_forces(const Hinge& hinge, const Eigen::Vector3d& g1, const Ei
 
   result.on_gradient2 = (factor / d2.magnitude) * towards2 - (bend * (hold1.hold * hold2.rate)) * d2.unit;
   result.on_gradient1 = (factor / d1.magnitude) * turn_back(towards1) - (bend * (hold2.hold * hold1.rate)) * d1.unit;
-  // Rotating everything together changes no energy, so the moments on the gradients and on the body balance.
+  // A common rotation changes no energy, so the moments on the gradients and on the body balance.
   result.torque_on_body = -(g1.cross(result.on_gradient1) + g2.cross(result.on_gradient2));
   result.energy = 0.5 * stiffness * result.angle * result.angle;
   result.dissipated_power = damping_moment * angle_rate;

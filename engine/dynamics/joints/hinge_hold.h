@@ -1,12 +1,12 @@
 #pragma once
-// What is left of a hinge where a gradient that it holds is short.
+// Weakens a hinge where a gradient that it joins is short.
 
 namespace netpocket {
 
-// How firmly a hinge holds a gradient of this length: as it is from kFirmHold on, not at all where it vanishes.
+// Factor on a hinge's energy for a gradient of this length: 1 from kFirmHold on, falling smoothly to 0 at length 0.
 struct HingeHold {
   double hold;  // in [0, 1]
-  double rate;  // its derivative
+  double rate;  // derivative of hold with respect to length
 };
 inline constexpr double kFirmHold = 0.5;
 inline HingeHold hinge_hold(double length) {

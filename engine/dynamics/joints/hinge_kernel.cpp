@@ -1,5 +1,5 @@
-// Compiled once per instruction set, NETPOCKET_ISA_NAME being the variant's namespace. The formulas are those of
-// hinge_forces.h, in the same notation.
+// Compiled once per instruction set; NETPOCKET_ISA_NAME is the variant's namespace. The formulas and notation are those
+// of hinge_forces.h.
 
 #include "engine/dynamics/joints/hinge_kernel.h"
 
@@ -13,12 +13,12 @@ namespace {
 
 using namespace simd;
 
-// Columns of a matrix of each lane.
+// A matrix for each lane, by columns.
 struct Matrix {
   SimdVector first, second, third;
 };
 
-// As symmetric_product and symmetric_transposed_product.
+// The order of summation is that of symmetric_product and symmetric_transposed_product.
 NETPOCKET_INLINE SimdVector product(const Matrix& m, const SimdVector& v) {
   return (v.x * m.first + v.z * m.third) + v.y * m.second;
 }
@@ -63,7 +63,7 @@ NETPOCKET_INLINE SimdDouble angle_of(const SimdDouble& sine, const SimdDouble& c
   return angle;
 }
 
-// hinge_hold
+// As hinge_hold.
 struct Hold {
   SimdDouble hold, rate;
 };
@@ -96,11 +96,13 @@ void forces(const CoordinateRows& coordinates, const CoordinateRows& velocities,
     const SimdDouble angle = angle_of(sine, cosine);
     const SimdVector towards2 = t - cosine * d2.unit, towards1 = d2.unit - cosine * t;
     const SimdDouble zero = broadcast(0.0), one = broadcast(1.0);
+    // At a straight hinge the plane of the angle is undefined, and the angle's rate is taken as 0.
     const SimdDouble inverse_sine = one / (sine < broadcast(1e-12) ? one : sine);
     const SimdDouble closing = -(dot(towards2, d2.rate) + dot(towards1, t_rate)) * inverse_sine;
     const SimdDouble angle_rate = sine < broadcast(1e-12) ? zero : closing;
     const SimdDouble i1 = gather_values(inverse_mass, block.gradient1, part);
     const SimdDouble i2 = gather_values(inverse_mass, block.gradient2, part);
+    // Inverse inertia of the angle, 1/(kg m^2). For the limit of damping see hinge_kernel.h.
     const SimdDouble turning = i1 / (d1.magnitude * d1.magnitude) + i2 / (d2.magnitude * d2.magnitude);
     const SimdDouble own_damping = load(block.damping, part);
     const SimdDouble allowed = larger(one / (turning * broadcast(kick)), own_damping * ((i1 + i2) / turning));

@@ -1,6 +1,6 @@
 #pragma once
-// Inflated rods that wrinkle: what bending beyond the wrinkling moment differs from the linear law of the elements
-// (ancf/inflated_element.h), in either evaluation. A correction, for few elements at a time.
+// Wrinkling of inflated rods. Beyond the wrinkling moment their bending deviates from the linear law of the elements
+// (ancf/inflated_element.h). This correction serves both evaluations. It takes few elements at a time.
 
 #include <optional>
 #include <span>
@@ -15,15 +15,16 @@ namespace netpocket {
 
 class RodWrinkling {
  public:
-  // Elements of tubes, by the curvature of the full or of the mean-strain evaluation.
+  // Corrects the elements of tubes. `full`: uses the curvature of the full evaluation, else that of the mean-strain
+  // one.
   RodWrinkling(const Model& model, std::span<const BatchElement> elements, bool full);
 
-  // Wrinkling moment (N m) from now on of the rods of a material.
+  // Sets the wrinkling moment (N m) of the rods of a material from now on.
   void set_moment(std::int32_t material, double moment);
 
-  // Adds to `applied` what the rods resist less than the linear law says.
+  // Adds to `applied` the difference of the rods' forces from the linear law.
   void add_forces(const CoordinateVectors& coordinates, AppliedForces& applied) const;
-  // Energy less that of the linear law, <= 0. J
+  // Energy (J) minus that of the linear law, <= 0.
   double energy(const CoordinateVectors& coordinates) const;
 
  private:
@@ -38,7 +39,7 @@ class RodWrinkling {
 
   std::vector<Rod> rods_;
   bool full_;
-  bool can_wrinkle_ = false;  // whether any moment is finite: most models spend no time here
+  bool can_wrinkle_ = false;  // whether any wrinkling moment is finite; if not, no time is spent here
 };
 
 }  // namespace netpocket

@@ -38,7 +38,7 @@ void set_lane(SpanRows& rows, int lane, const MaterialSpan& span) {
 
 }  // namespace
 
-// Node i is at p = p1 + (p2 - p1) i / count with p1 = share_at_start (L0 - L).
+// Node i is at the material coordinate p = p1 + (p2 - p1) i / count with p1 = share_at_start (L0 - L).
 MaterialSpan rope_span(const RopeMotion& motion, double share_at_start, std::size_t index, std::size_t count) {
   const double elements = static_cast<double>(count), place = static_cast<double>(index);
   const double first = place / elements - share_at_start, second = (place + 1) / elements - share_at_start;
@@ -107,8 +107,8 @@ void RopeDynamics::set_previous_spans() {
   previous_spans_are_set_ = true;
 }
 
-// First elements of all ropes, second ones, and so on: where ropes meet, what they add comes in the same order in every
-// sector of a pocket.
+// Visits the first elements of all ropes, then all second ones, and so on. So contributions to nodes where ropes meet
+// come in the same order in every sector of a pocket.
 template <typename Function>
 void RopeDynamics::for_each_element(const Function& function) const {
   for (std::size_t i = 0; i < longest_; ++i) {
@@ -118,8 +118,8 @@ void RopeDynamics::for_each_element(const Function& function) const {
   }
 }
 
-// The rope's ends: coordinate of the position, and the share of the wound-up rope that it carries. First ends before
-// last ones, as above.
+// Visits the ends of all ropes, with the coordinate of the position and the share of the wound-up rope that it carries.
+// All first ends come before all last ends, for the reason above.
 template <typename Function>
 void RopeDynamics::for_each_end(const Function& function) const {
   for (const Rope& rope : ropes_) function(rope, rope.indices.front()[0], rope.share_at_start);

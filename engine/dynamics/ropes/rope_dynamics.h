@@ -1,12 +1,14 @@
 #pragma once
-// Variable-length ropes during a run: keeps the material length of their elements and the mass of their nodes up to
-// date, gives the forces of the material's flow and accounts for the energy of winding. Sources: Tang et al. (2023)
+// Variable-length ropes during a run. Keeps the material length of their elements and the mass of their nodes up to
+// date, computes the forces of the material's flow, and accounts for the energy of winding. Sources: Tang et al. (2023)
 // Eqs. 2 to 15, as in ancf/variable_length.h.
 //
-// Lagrange's equations are stepped in momenta: over a step from n - 1/2 to n + 1/2, with the masses M and the flow
-// momentum p of the step's start,
+// Lagrange's equations are integrated in terms of momentum. A step leads from n - 1/2 to n + 1/2, with the masses M and
+// the flow momentum p at the start of each step:
 //   M_n v_(n+1/2) + p_n - M_(n-1) v_(n-1/2) - p_(n-1) = kick (Q + dT/dq)
-// so that the sum over all nodes is constant to round-off however fast the ropes are wound.
+// So the sum over all nodes is constant to round-off, however fast the ropes are wound.
+//
+// World frame, SI units. Thread contract: one thread at a time.
 
 #include <algorithm>
 #include <array>
@@ -24,7 +26,7 @@
 
 namespace netpocket {
 
-// Material inside element `index` of a rope's `count`, whose nodes are evenly spread.
+// Material inside element `index` of a rope with `count` elements, whose nodes are spread evenly.
 MaterialSpan rope_span(const RopeMotion& motion, double share_at_start, std::size_t index, std::size_t count);
 
 class RopeDynamics {
@@ -33,31 +35,31 @@ class RopeDynamics {
 
   bool empty() const { return ropes_.empty(); }
 
-  // Replaces the law of winding of all ropes from now on.
+  // Replaces the winding law of all ropes from now on. The law returns the motion at a time (s).
   void set_motion(const std::function<RopeMotion(double)>& motion);
 
-  // Goes to time `t` (s). False when every rope moves as it did before: then lengths, masses and inertia are as they
-  // were.
+  // Brings the ropes' motion to time `t` (s). Returns false if every rope moves as before; then lengths, masses and
+  // inertia are unchanged.
   bool set_time(double t);
-  // Sets lengths in `batch` and adds the ropes' lumped and wound-up mass to `mass` (by coordinate), which holds
-  // everything else's.
+  // Sets the elements' lengths in `batch`. Adds the lumped and the wound-up mass of the ropes to `mass` (by
+  // coordinate), which must hold the mass of everything else.
   void update(ElementBatch& batch, std::span<double> mass);
 
-  // Coordinates whose mass changes.
+  // Coordinates whose mass changes during the run, sorted.
   const std::vector<std::int32_t>& massive_coordinates() const { return massive_coordinates_; }
 
-  // Adds the forces of the material's flow and of masses that change, for a kick of `kick` (s); the step before was
-  // `last_dt` (s) long.
+  // Adds the forces of the material's flow and of changing masses, for a kick of `kick` (s). `last_dt`: size of the
+  // step before (s).
   void add_flow_forces(const CoordinateVectors& coordinates, const CoordinateVectors& velocities, double last_dt,
                        double kick, AppliedForces& applied);
-  // What the ropes' kinetic energy changes by from the previous step's motion to the present one at fixed coordinates
-  // and velocities. J
+  // Change (J) of the ropes' kinetic energy from the previous step's motion to the present one, at fixed coordinates
+  // and velocities.
   double energy_change(const CoordinateVectors& coordinates, const CoordinateVectors& velocities);
-  // The present motion is from now on the previous step's.
+  // To be called after each step: the present motion becomes that of the previous step.
   void finish_step();
 
-  // Kinetic energy of the flow, beyond that of lumped masses at their nodes' velocities; and flow_work of
-  // ancf/variable_length.h. J
+  // Kinetic energy (J) of the flow, in excess of that of lumped masses at their nodes' velocities, and flow_work (J) of
+  // ancf/variable_length.h.
   struct FlowEnergy {
     double kinetic = 0, work = 0;
   };
@@ -69,22 +71,22 @@ class RopeDynamics {
   std::int32_t rope_count() const { return static_cast<std::int32_t>(ropes_.size()); }
   double element_length(std::int32_t rope) const { return ropes_[rope].spans.front().length; }
   const RopeMotion& motion(std::int32_t rope) const { return ropes_[rope].now; }
-  // Span of an element of a rope (by index into Model::elements); nullptr for other elements.
+  // Span of a rope's element, by index into Model::elements; null for all other elements.
   const MaterialSpan* span_of(std::int32_t element) const;
 
  private:
   struct Rope {
     std::vector<std::int32_t> elements;
-    std::vector<std::array<std::int32_t, 4>> indices;  // of each element
-    std::vector<MaterialSpan> spans;                   // of each element, now
+    std::vector<std::array<std::int32_t, 4>> indices;  // by element of the rope
+    std::vector<MaterialSpan> spans;                   // by element of the rope, at present
     CableSection section;
     std::function<RopeMotion(double)> motion;
-    std::int32_t same_motion_as;  // an earlier rope with the same motion, or -1
+    std::int32_t same_motion_as;  // index of an earlier rope with the same motion, or -1
     double share_at_start;
     double initial_length;
-    RopeMotion before{}, now{};  // at the start of the previous step, and at that of the present one
+    RopeMotion before{}, now{};  // at the start of the previous and of the present step
 
-    // The winding of this rope makes a difference in this step.
+    // Whether the winding of this rope has any effect in this step.
     bool moves() const { return now.rate != 0 || before.rate != 0 || now.length != before.length; }
     MaterialSpan span_at(const RopeMotion& motion_then, std::size_t index) const {
       return rope_span(motion_then, share_at_start, index, elements.size());
@@ -102,16 +104,16 @@ class RopeDynamics {
   void collect_blocks();
   template <typename Function>
   void for_each_lane(const Function& function);
-  void set_present_spans();   // of the ropes' elements and in the blocks
+  void set_present_spans();   // of the ropes' elements, and in the blocks
   void set_previous_spans();  // in the blocks
 
   std::vector<Rope> ropes_;
-  AlignedVector<RopeBlock> blocks_;  // their elements in the order of for_each_element
-  bool started_ = false;             // a time has been set
+  AlignedVector<RopeBlock> blocks_;  // elements of all ropes, in the order of for_each_element
+  bool started_ = false;             // whether a time has been set
   bool previous_spans_are_set_ = false;
-  std::size_t longest_ = 0;  // elements of the longest rope
+  std::size_t longest_ = 0;  // number of elements of the longest rope
   std::vector<std::int32_t> massive_coordinates_;
-  std::vector<std::pair<std::int32_t, std::int32_t>> place_;  // by element: (rope, index), or (-1, -1)
+  std::vector<std::pair<std::int32_t, std::int32_t>> place_;  // by element: (rope, index in it), or (-1, -1)
 };
 
 }  // namespace netpocket

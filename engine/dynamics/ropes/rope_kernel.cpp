@@ -1,5 +1,5 @@
-// Compiled once per instruction set, NETPOCKET_ISA_NAME being the variant's namespace. The formulas are those of
-// ancf/variable_length.h, in the same notation.
+// Compiled once per instruction set; NETPOCKET_ISA_NAME is the variant's namespace. The formulas and notation are those
+// of ancf/variable_length.h.
 
 #include "engine/dynamics/ropes/rope_kernel.h"
 
@@ -18,7 +18,7 @@ NETPOCKET_INLINE Span load_span(const SpanRows& rows, int part) {
   return {load(rows.length, part), load(rows.start_rate, part), load(rows.end_rate, part)};
 }
 
-// Lumped mass of a node and of a slope.
+// Lumped mass of a node and of a gradient.
 struct Mass {
   SimdDouble node, slope;
 };
@@ -26,7 +26,7 @@ NETPOCKET_INLINE Mass lumped_mass(const SimdDouble& mass_per_length, const SimdD
   return {mass_per_length * length / broadcast(2.0), mass_per_length * length * length * length / broadcast(78.0)};
 }
 
-// What the flow adds to the velocity of the material at each node.
+// Velocity of the material relative to each node.
 struct Flow {
   SimdVector past1, past2;
 };
@@ -41,7 +41,7 @@ NETPOCKET_INLINE SimdVector gather_corner(const CoordinateRows& rows, const Rope
   return gather_coordinates(rows.first, block.coordinate[corner], part);
 }
 
-// Velocities of nodes; squares of those of slopes.
+// Velocities of nodes; squared norms of the rates of gradients.
 struct Motion {
   SimdVector chord, v1, v2;
   SimdDouble slope1, slope2;

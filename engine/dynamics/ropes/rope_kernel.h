@@ -1,6 +1,6 @@
 #pragma once
-// The instruction-set variants of ancf/variable_length.h for eight elements of ropes that are wound: what the flow of
-// material and masses that change do in a step. Tested against it to round-off.
+// Instruction-set variants of ancf/variable_length.h, for eight elements of wound ropes: the effects of the material's
+// flow and of changing masses in a step. Tested against it to round-off.
 
 #include <cstdint>
 
@@ -14,10 +14,10 @@ struct alignas(64) SpanRows {
   double start_rate[kBlockSize], end_rate[kBlockSize];  // m/s
 };
 
-// Up to eight elements. What lanes without one find, which may be no number, is not asked for.
+// Up to eight elements. Results in lanes without an element may be NaN and must be ignored.
 struct RopeBlock {
   double mass_per_length[kBlockSize];  // kg/m
-  SpanRows before, now;                // at the start of the previous step and of the present one
+  SpanRows before, now;                // at the start of the previous and of the present step
 
   // Filled by the kernels.
   double force[4][kVectorRows][kBlockSize];  // by corner, N and N m
@@ -29,11 +29,11 @@ struct RopeBlock {
 
 namespace rope_kernel {
 
-// dT/dq and, spread over a kick of `kick` (s), the momenta that velocities do not hold: of masses that have changed and
-// of the flow, now and one step of `last_dt` (s) before.
+// Computes the force: dT/dq, plus momentum changes spread over a kick of `kick` (s). The latter are those that
+// velocities do not contain: of changed masses, and of the flow from one step of `last_dt` (s) before until now.
 using ForceKernel = void (*)(const CoordinateRows& coordinates, const CoordinateRows& velocities, double last_dt,
                              double kick, RopeBlock& block);
-// Kinetic energy at these coordinates and velocities with the present span less that with the one before.
+// Computes the change of kinetic energy at these coordinates and velocities: present span minus previous span.
 using EnergyKernel = void (*)(const CoordinateRows& coordinates, const CoordinateRows& velocities, RopeBlock& block);
 
 namespace baseline {

@@ -88,8 +88,8 @@ bool StepChoice::is_outgrown(double step) {
 // The bound of straight cables, with the closing ropes as short as they become until the next choice.
 StableStep StepChoice::straight_bound() const {
   if (rope_step_ >= bound_.step) return bound_;
-  // The rope's bound may come from damping alone. It is expressed as an undamped mode of the same step, so that bends can
-  // add their stiffness to it.
+  // The rope's bound may come from damping alone. It is expressed as an undamped mode of the same step, so that bends
+  // can add their stiffness to it.
   return {.step = rope_step_, .stiffness = 4 / (rope_step_ * rope_step_)};
 }
 

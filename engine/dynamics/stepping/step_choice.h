@@ -1,13 +1,15 @@
 #pragma once
-// Chooses the integration step of a pocket while its closing ropes shorten and its cords bend, and tells what limits it.
+// Chooses the integration step of a pocket while its closing ropes shorten and its cords bend, and tells what limits
+// it.
 //
-// The stable step is the smallest of three bounds:
-// - Of the whole model with straight cables (stable_step.h). Shorter closing ropes hold the rods' tips more stiffly, so
-//   it is computed again each time the ropes are 15 % shorter.
+// The stable step of straight cables is the smaller of two bounds:
+// - Of the whole model (stable_step.h). Shorter closing ropes hold the rods' tips more stiffly, so it is computed again
+//   each time the ropes are 15 % shorter.
 // - Of one element of a closing rope by itself, at its present length.
-// - Bends and tensions stiffen the cables. They multiply the bounds above by `bend_factor` (at most 1), which is computed
-//   at each choice, and after each step while it varies by more than 3 %.
-// StepLimiter multiplies the result where stability alone is not enough.
+//
+// Bends and tensions stiffen the cables. They multiply this step by `bend_factor` (at most 1), which is computed at
+// each choice, and after each step while it varies by more than 3 %. StepLimiter multiplies the result where stability
+// alone is not enough.
 //
 // Thread contract: one thread at a time.
 
@@ -24,26 +26,26 @@ namespace netpocket {
 
 class StepChoice {
  public:
-  // Of a system as built, which must outlive this; its closing ropes are all alike.
+  // `system`: as built; must outlive this object. Its closing ropes must all be alike.
   explicit StepChoice(CableSystem& system);
 
-  // Largest step (s, without a safety factor) from the system's present time until `end` (s) that is stable, with the
-  // ropes wound by this law, and as cautious as need be.
+  // Largest step (s, without a safety factor) that is stable from the system's present time until `end` (s), if the
+  // ropes are wound by this law. Includes the factor of the limiter.
   double stable_step(const std::function<RopeMotion(double)>& winding, double end);
-  // After a step: whether a step of this size (s) is no longer stable in the system's present shape. Always false while
-  // bend_factor is steady.
+  // To be called after a step. Whether a step of this size (s) is no longer stable in the system's present shape.
+  // Always false while bend_factor is steady.
   bool is_outgrown(double step);
   StepLimiter& limiter() { return limiter_; }
   const StepLimiter& limiter() const { return limiter_; }
 
-  // As of the system at rest, before any choice. s
+  // s, of the system at rest, before any choice.
   double first_stable_step() const { return bound_.step; }
 
   // Notes that the last choice has led to a step of this size (s).
   void note(double step);
-  // Smallest step noted, s; infinite before the first.
+  // Smallest step noted (s); infinite before the first.
   double smallest_step() const { return smallest_step_; }
-  // What has limited it, e.g. "axial waves in panel 3 row 2, and bends of cords".
+  // What limited the smallest step, e.g. "axial waves in panel 3 row 2, and bends of cords".
   std::string limit() const;
 
   // Gives every number of the state to `visit`, which may change it.
@@ -52,7 +54,7 @@ class StepChoice {
  private:
   enum class Cause : std::uint8_t { cables, bends, ropes };
   enum class Shortening : std::uint8_t { none, contacts, energy };
-  // What sets a step, in numbers.
+  // Cause of a step, as numbers.
   struct Limit {
     Cause cause = Cause::cables;
     StepLimit mode = StepLimit::nothing;

@@ -5,10 +5,10 @@
 namespace netpocket {
 namespace {
 
-// Penetration (m) above which steps are shortened, below which they grow again, and above which a run is given up when
+// Penetrations (m): steps are shortened above kDeep and grow again below kShallow. A run is given up above kDeepest if
 // its steps are already the shortest.
 constexpr double kDeep = 0.02, kShallow = 0.004, kDeepest = 0.05;
-// Factor on the steps after an interval with deep contacts: penetrations become 0.55 times as deep.
+// Factor on the steps after an interval with deep contacts. It makes penetrations 0.55 times as deep.
 constexpr double kShortening = 0.7;
 constexpr double kLeastForContacts = 0.1;
 
@@ -17,7 +17,7 @@ constexpr double kAliased = 0.004;
 // Steps grow by kGrowth at each output interval while the aliased energy is below kWellResolved of that limit.
 constexpr double kWellResolved = 0.1, kGrowth = 1.05;
 constexpr double kLeastForEnergy = 0.25;
-// Energies (J) below this are round-off.
+// Exchanged energies (J) below this are round-off.
 constexpr double kLeastEnergy = 1e-6;
 
 }  // namespace

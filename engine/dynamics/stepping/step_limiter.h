@@ -2,8 +2,9 @@
 // Shortens steps where stability is not enough, by a factor on the stable step:
 // - Contacts. Springs of contacts are no stiffer than a step resolves (force_law.h), so a given load presses cords the
 //   deeper the longer the step, with dt^(5/3). Steps are shortened while penetrations exceed kDeep.
-// - Short waves. The integrator misses the part (w dt/2)^2 of the energy of a wave of frequency w (aliased energy). Steps
-//   are shortened while that exceeds kAliased of the energy that has been exchanged.
+// - Short waves. The integrator misses the part (w dt/2)^2 of the energy of a wave of frequency w (aliased energy).
+//   Steps are shortened while that exceeds kAliased of the energy that has been exchanged.
+//
 // Ordinary captures need neither: penetrations stay below 4 mm.
 //
 // Its decisions depend only on what it is told step by step, not on when a run is observed.

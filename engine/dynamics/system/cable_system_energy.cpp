@@ -20,7 +20,7 @@ void CableSystem::Impl::compute_states() {
   });
 }
 
-// Of the last compute_states, by lane.
+// A row of the last compute_states, by lane.
 const double* CableSystem::Impl::state_row(int block, std::size_t row) const {
   return element_states.data() + (static_cast<std::size_t>(block) * kStateRows + row) * kBlockSize;
 }
@@ -29,7 +29,7 @@ double CableSystem::Impl::element_state(std::size_t element, std::size_t row) co
   return state_row(static_cast<int>(element / kBlockSize), row)[element % kBlockSize];
 }
 
-// What an element's tension follows of a row: its own value or that of its pair.
+// The value of a row that determines an element's tension: its own, or the paired one with its strain partner.
 double CableSystem::Impl::resisted(std::size_t element, std::size_t row) const {
   const std::int32_t strain_partner =
       options.evaluation == ElementEvaluation::full ? -1 : model.elements[element].strain_partner;
@@ -80,14 +80,14 @@ double CableSystem::Impl::strain_energy() {
   return energy;
 }
 
-// Velocities a kick (s) later: half of the last step brings them to where positions are.
+// Velocities after a kick (s) with the present forces. Half of the last step brings them to the time of the positions.
 CoordinateVectors CableSystem::Impl::velocities_after(double kick) {
   CoordinateVectors velocity = velocities;
   move_coordinates(velocity, unmoved, kick, 0);
   return velocity;
 }
 
-// Of all that moves by itself: not what moves with a body. `squares`(first, count): squared speeds of `count`
+// Kinetic energy (J) of free coordinates, without attachments. `squares`(first, count): squared speeds of `count`
 // coordinates from `first` on.
 template <typename Squares>
 double CableSystem::Impl::lumped_energy(const Squares& squares) {
@@ -98,7 +98,8 @@ double CableSystem::Impl::lumped_energy(const Squares& squares) {
   }));
 }
 
-// Of bodies, and of nodes and slopes with their lumped or consistent mass at these velocities.
+// Kinetic energy (J) of bodies at the end of their half kick, and of nodes and gradients with their lumped or
+// consistent mass at the given velocities.
 double CableSystem::Impl::kinetic_energy(const CoordinateVectors& velocity) {
   double energy = 0;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -108,12 +109,13 @@ double CableSystem::Impl::kinetic_energy(const CoordinateVectors& velocity) {
   return energy + lumped_energy([&](int first, int count) { return velocity.squared_norms(first, count); });
 }
 
-// Velocities half a step apart differ by that of the waves that a step does not resolve.
+// Velocities half a step apart differ by the waves that the step does not resolve. The energy of the difference is the
+// aliased energy.
 double CableSystem::Impl::aliased_energy(const CoordinateVectors& velocity) {
   return lumped_energy([&](int first, int count) { return velocity.squared_distances(velocities, first, count); });
 }
 
-// Work of gravity and constant loads up to an additive constant.
+// Work of gravity and constant loads, up to an additive constant.
 double CableSystem::Impl::load_work() const {
   double work = 0;
   const CoordinateVectors* loads = applied.constant();
@@ -126,7 +128,7 @@ double CableSystem::Impl::load_work() const {
   return work;
 }
 
-// At the velocities that the present forces lead to.
+// Power at the velocities that the present forces lead to.
 contact_kernel::ContactPower CableSystem::Impl::contact_power_after(double kick) {
   CoordinateVectors positions = coordinates, velocity = velocities_after(kick);
   std::vector<DynamicBody> moving = bodies;
@@ -149,7 +151,8 @@ EnergyAudit CableSystem::Impl::audit() {
   result.strain = strain_energy();
   const contact_kernel::ContactPower before = contact_power(contacts.dissipated_power_before(), velocities, bodies);
   const contact_kernel::ContactPower after = contact_power_after(last_dt);
-  // Of the step that the forces act for. Where a contact rebounds within it, its first half takes more than the whole.
+  // Energy of the first half of the step that the forces act for, at most that of the whole step. Where a contact
+  // rebounds within the step, its first half alone dissipates more than the whole.
   const auto first_half = [half_kick](double power, double later) {
     return std::clamp(half_kick * power, 0.0, std::max(half_kick * (power + later), 0.0));
   };
@@ -184,7 +187,7 @@ double CableSystem::aliased_energy(double dt) {
 
 namespace {
 
-// `first`: of its block.
+// `first` must be the first coordinate of its block.
 void copy_coordinates(const CoordinateVectors& vectors, std::int32_t first, std::int32_t count,
                       Eigen::Matrix3Xd& columns) {
   using Block = Eigen::Map<const Eigen::Matrix<double, kBlockSize, kVectorRows>, Eigen::Aligned64>;

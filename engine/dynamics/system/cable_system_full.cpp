@@ -4,14 +4,14 @@
 
 namespace netpocket {
 
-// Of the law that acts: what the mean-strain kernel finds is another one's.
+// The strain and tension of the full element, which differ from what the mean-strain kernel finds.
 FullElement::Stretching CableSystem::Impl::full_stretching(std::size_t element) const {
   const CableSection& section = model.material_of(static_cast<std::int32_t>(element)).section;
   return FullElement(section, span(element)).stretching(gather(coordinates, element), gather(velocities, element));
 }
 
-// The stiffness of stretching at a point is EA a a^T + N I in a = r', at most EA (1 + 3 eps) of the Green strain eps:
-// so are the squares of its frequencies, of bent elements too, and its damping at most as many times as large.
+// The axial stiffness at a point is EA a a^T + N I with a = r'. It is at most (1 + 3 eps) EA at Green strain eps. So
+// the squared frequencies, of bent elements too, grow by at most this factor, and so does damping.
 double CableSystem::Impl::stable_step_as_stretched(const StableStep& straight) {
   const auto largest = [&](int first, int last) {
     double strain = 0;

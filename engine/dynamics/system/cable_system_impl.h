@@ -1,9 +1,9 @@
 #pragma once
-// The state of a CableSystem and what it does with it; shared by the sources of that class, internal to them:
-//   cable_system.cpp         set-up, state, questions
+// State and internal operations of a CableSystem. Internal to the sources of that class:
+//   cable_system.cpp         set-up, state, queries
 //   cable_system_step.cpp    forces and the step
 //   cable_system_energy.cpp  energies, audit, snapshots
-//   cable_system_full.cpp    what the full evaluation asks its elements one by one
+//   cable_system_full.cpp    queries to single elements in the full evaluation
 
 #include "engine/ancf/full_batch.h"
 #include "engine/ancf/full_element.h"
@@ -24,20 +24,20 @@
 
 namespace netpocket {
 
-// Elements and coordinates that a thread takes at once, and whose energies are summed in a row: fixed, so that sums do
-// not depend on the number of threads. Whole blocks.
+// Number of elements and coordinates that a thread processes at once and whose energies it sums in sequence. Constant
+// and a multiple of the block size, so that sums do not depend on the number of threads.
 inline constexpr int kElementRange = 2048, kCoordinateRange = 8192;
 
-// Rows of ElementBatch::states.
+// Row numbers in the results of ElementBatch::states.
 inline constexpr std::size_t kStrain = 0, kStrainRate = 1, kBendingEnergy = 2, kBendStiffness = 3;
 
 struct CableSystem::Impl {
   Impl(Model&& model, const SystemOptions& options);
 
-  // State at step n (positions) and n - 1/2 (velocities).
+  // State: positions and gradients at step n, velocities at n - 1/2.
   Model model;
   SystemOptions options;
-  std::unique_ptr<ThreadTeam> team;  // none: one thread steps
+  std::unique_ptr<ThreadTeam> team;  // null: one thread
   CoordinateLayout layout;
   CoordinateVectors coordinates, velocities;
   double time = 0;
@@ -48,63 +48,64 @@ struct CableSystem::Impl {
   ElementBatch batch;
   FullBatch full_batch;
   Assembly assembly;
-  std::vector<double> mass;  // by coordinate
+  std::vector<double> mass;  // lumped mass by coordinate
   AlignedVector<double> inverse_mass;
   std::vector<double> element_length;
-  std::vector<double> wave_speed;          // by material, sqrt(EA/m), m/s
-  AlignedVector<double> wave_rate;         // by element, the square of wave speed by length, 1/s^2; whole blocks
-  AlignedVector<double> moving_mass;       // by coordinate, of what moves by itself; else 0
-  std::vector<double> mass_without_ropes;  // of the ropes' massive coordinates, in their order
+  std::vector<double> wave_speed;          // m/s, by material: sqrt(EA/m)
+  AlignedVector<double> wave_rate;         // 1/s^2, by element, in whole blocks: (wave speed/length)^2
+  AlignedVector<double> moving_mass;       // by coordinate: mass of free coordinates; 0 for all others
+  std::vector<double> mass_without_ropes;  // by entry of ropes.massive_coordinates(): mass of everything but the ropes
   std::optional<ConsistentMass> consistent_mass;
   AlignedVector<double> unit_mass;
-  CoordinateVectors forces;   // to collect them for the consistent mass
-  CoordinateVectors unmoved;  // coordinates for kicks that move nothing
+  CoordinateVectors forces;   // workspace for the consistent mass: summed forces
+  CoordinateVectors unmoved;  // dummy positions for kicks without drift
 
-  // Parts.
+  // Components.
   AlignedVector<HingeBlock> hinges;
   std::vector<DynamicBody> bodies;
   std::vector<BodyControl> controls;
   RopeDynamics ropes;
   RodWrinkling wrinkling;
   ContactSolver contacts;
-  std::unique_ptr<CordContact> cord_contacts;  // none: cords pass through each other
+  std::unique_ptr<CordContact> cord_contacts;  // null: cords pass through each other
   ContactedCoordinates contacted;
   MotionBound motion;
-  // What has moved since contacts were looked for: bounds of the way of any point, m.
+  // Motion since the last search for contacts: upper bounds (m) of the distance that any point of a cord (cords_way) or
+  // of a body (bodies_way) has moved.
   double cords_way = 0;
-  std::int64_t step_of_speed = -1;  // at which cord_speed has been found; -1: what it follows has changed since
-  double cord_speed = 0;            // m/s, of any point at most
-  double moved_speed = 0;           // the same, of what was last moved by its own mass
+  std::int64_t step_of_speed = -1;  // step that cord_speed is for; -1: outdated
+  double cord_speed = 0;            // m/s, upper bound of the speed of any point of a cord
+  double moved_speed = 0;           // m/s, the same for free coordinates, of their last update
   std::vector<double> bodies_way;
-  std::vector<double> attachments_reach;       // m, by body: farthest of what hangs on it
-  std::vector<double> noted_rope_length;       // m, of an element, by rope, then
-  std::unique_ptr<BodyContact> body_contacts;  // none: bodies pass through each other
+  std::vector<double> attachments_reach;       // m, by body: see reach_of_attachments
+  std::vector<double> noted_rope_length;       // m, by rope: element length at the last note_motion
+  std::unique_ptr<BodyContact> body_contacts;  // null: bodies pass through each other
 
-  // Forces of the present state.
+  // Forces at the present state.
   AlignedVector<double> element_forces;
-  AlignedVector<double> element_states;  // of the last audit
-  std::int64_t step_of_states = -1;      // of the last audit; -1: the state has changed other than by steps
-  AppliedForces applied;                 // all but element forces
-  std::vector<Wrench> wrenches;          // by body
+  AlignedVector<double> element_states;  // of the last compute_states
+  std::int64_t step_of_states = -1;  // step of the last audit; -1: the state has changed in another way than by steps
+  AppliedForces applied;             // all forces but those of elements
+  std::vector<Wrench> wrenches;      // by body
   std::vector<SectorSum<Eigen::Vector3d>> hinge_torques;  // by body
   std::vector<std::vector<std::int32_t>>
-      attached_blocks;                    // by body: blocks of coordinates of its attachments, ascending
-  AlignedVector<double> attached_forces;  // on these
+      attached_blocks;                    // by body: blocks of coordinates that hold its attachments, ascending
+  AlignedVector<double> attached_forces;  // forces on the attached blocks of one body
   BatchPower element_power;
   double hinge_power = 0;
   SafeguardCounts hinge_safeguards;
-  std::int64_t step_of_forces = -1;  // at which forces have been computed; -1: what they follow has changed since
-  double step_size_of_forces = 0;    // s
+  std::int64_t step_of_forces = -1;  // step that the forces are for; -1: outdated
+  double step_size_of_forces = 0;    // s, step size that the forces are for
   EnergyAudit last_audit;
-  std::int64_t step_of_audit = -1;  // of the last one; -1: what it follows has changed since
+  std::int64_t step_of_audit = -1;  // step that last_audit is for; -1: outdated
   std::vector<BatchPower> chunk_power;
 
   // Accounts since the start.
   SpentEnergy spent;
   double input_work = 0, initial_energy = 0, initial_input = 0;
-  double reference_step = 0;                   // s, that the stiffness of contacts is for; 0: no step yet
-  std::vector<Eigen::Vector3d> impulses;       // of cords, by body
-  std::vector<Eigen::Vector3d> body_impulses;  // of other bodies, by body
+  double reference_step = 0;                   // s, step that the stiffness of contacts is based on; 0: no step yet
+  std::vector<Eigen::Vector3d> impulses;       // N s, by body: from cords
+  std::vector<Eigen::Vector3d> body_impulses;  // N s, by body: from other bodies
   SafeguardCounts safeguards;
   ContactDepths depths;
 
@@ -123,9 +124,9 @@ struct CableSystem::Impl {
   bool moves(std::int32_t coordinate) const;
   bool ends_at_strain_partner(const BatchElement& element) const;
   void set_constant_loads();
-  // A loop that the team shares, if there is one.
+  // A loop that the team's threads share; without a team, an ordinary loop.
   DividedLoop loop();
-  // `meanwhile`: done by the caller's thread before it takes part.
+  // `meanwhile` runs on the caller's thread before that thread joins the loop over the elements.
   template <typename Meanwhile>
   void compute_element_forces(const Meanwhile& meanwhile);
   void add_hinges(double kick);
@@ -162,7 +163,7 @@ struct CableSystem::Impl {
   double strain(std::size_t element) const;
   FullElement::Stretching full_stretching(std::size_t element) const;
   double stable_step_as_stretched(const StableStep& straight);
-  double strain_energy_of(std::size_t first, std::size_t last) const;  // of these elements
+  double strain_energy_of(std::size_t first, std::size_t last) const;  // J, of elements [first, last)
   double strain_energy();
   CoordinateVectors velocities_after(double kick);
   template <typename Squares>

@@ -10,8 +10,8 @@
 namespace netpocket {
 namespace {
 
-// Blocks that a thread takes at once, and whose powers are summed in a row: fixed, so that sums do not depend on the
-// number of threads.
+// Number of blocks that a thread processes at once and whose powers it sums in sequence. Constant, so that sums do not
+// depend on the number of threads.
 constexpr int kChunk = 32;
 
 struct StepKernels {
@@ -29,7 +29,7 @@ const StepKernels& step_kernels() {
   return chosen;
 }
 
-// Of two that are not negative: not a number if one of them is none.
+// The larger of two non-negative numbers; NaN if either is NaN.
 double larger_or_none(double a, double b) { return a >= b || a != a ? a : b; }
 
 }  // namespace
@@ -89,7 +89,7 @@ void CableSystem::Impl::add_hinges(double kick) {
   for (std::size_t b = 0; b < bodies.size(); ++b) wrenches[b].torque += hinge_torques[b].total();
 }
 
-// All contacts see the same state: they are found before any of them acts.
+// All contacts are found before any of them exerts a force, so that all see the same state.
 void CableSystem::Impl::find_contacts(double dt) {
   contacted.clear();
   contacts.find(coordinates, velocities, batch, bodies, cord_speed, dt, contacted);
@@ -103,7 +103,7 @@ void CableSystem::Impl::add_contacts(const StepTimes& times) {
   if (cord_contacts) cord_contacts->add_forces(velocities, contacted, inverse_mass, times, applied);
 }
 
-// What all contacts take out of the motion at these velocities; `on_bodies`: those of cords with bodies.
+// Power that all contacts dissipate at the velocities `at`. `on_bodies`: the part of contacts between cords and bodies.
 contact_kernel::ContactPower CableSystem::Impl::contact_power(contact_kernel::ContactPower on_bodies,
                                                               const CoordinateVectors& at,
                                                               const std::vector<DynamicBody>& moving) const {
@@ -122,7 +122,8 @@ void CableSystem::Impl::find_cord_speed() {
   step_of_speed = steps;
 }
 
-// The same from what the kernel has found, and from the bodies for what hangs on them.
+// The same bound as find_cord_speed, from values that the last update has found. Attached points follow from the
+// bodies.
 void CableSystem::Impl::note_cord_speed() {
   cord_speed = moved_speed;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -134,8 +135,8 @@ void CableSystem::Impl::note_cord_speed() {
   step_of_speed = steps;
 }
 
-// Tells the searches for contacts what has moved. A curve whose element changes its length by d moves by no more than
-// |d| |S_2 + S_4|/L <= |d|/4 besides.
+// Passes the motion since the last search to the searches. If an element's length changes by d, its curve moves by
+// another |d| |S_2 + S_4|/L <= |d|/4 at most.
 void CableSystem::Impl::note_motion() {
   double shortened = 0;
   noted_rope_length.resize(static_cast<std::size_t>(ropes.rope_count()), 0.0);
@@ -153,14 +154,14 @@ void CableSystem::Impl::note_motion() {
   std::ranges::fill(bodies_way, 0.0);
 }
 
-// Last of all: bodies meet each other as all other forces move them.
+// To be called after all other forces are known: contact between bodies depends on the motion that they lead to.
 void CableSystem::Impl::touch_bodies(const StepTimes& times) {
   if (!body_contacts) return;
   body_contacts->find(bodies);
   body_contacts->add_forces(bodies, controls, times, wrenches);
 }
 
-// A snapshot leaves the forces of the state behind: the next step need not compute them again.
+// Forces computed for a snapshot are kept, so that the next step need not compute them again.
 void CableSystem::Impl::keep_forces_current(double dt) {
   if (step_of_forces == steps && step_size_of_forces == dt) return;
   compute_forces(dt);
@@ -194,7 +195,7 @@ void CableSystem::Impl::compute_forces(double dt) {
   touch_bodies(times);
 }
 
-// What elements and applied forces do to a body through what is attached to it.
+// Adds the forces on a body's attachments, from elements and applied forces, to the body's wrench.
 void CableSystem::Impl::add_attachment_forces(std::size_t body) {
   const std::span<const std::int32_t> blocks = attached_blocks[body];
   attached_forces.resize(blocks.size() * kVectorRows * kBlockSize);
@@ -211,7 +212,7 @@ void CableSystem::Impl::add_attachment_forces(std::size_t body) {
   wrenches[body] += Wrench{force.total(), torque.total()};
 }
 
-// What an element touched in the last step, for messages.
+// The body that an element touched in the last step, for messages.
 std::string CableSystem::Impl::contact_of(std::int32_t element) const {
   for (const ContactPoint& contact : contacts.contacts()) {
     if (contact.element == element) return fmt::format(", in contact with the {},", model.bodies[contact.body].name);
@@ -219,10 +220,11 @@ std::string CableSystem::Impl::contact_of(std::int32_t element) const {
   return ", without contact,";
 }
 
-// Of the forces only: neither masses nor state.
-// Of a processor's own cache (1 to 2 MB), what element forces may take (bytes) so that a step finds the rest there too.
+// Largest size (bytes) of the element forces for which the rest of a step's data also fits into a processor's own cache
+// (1 to 2 MB).
 constexpr std::size_t kCacheForForces = 1 << 19;
 
+// Describes forces only: masses and state are not set.
 update_kernel::UpdateView CableSystem::Impl::forces_view() {
   update_kernel::UpdateView view{};
   assembly.describe(view);
@@ -237,7 +239,7 @@ void CableSystem::Impl::sum_forces(std::span<const std::int32_t> coordinate_bloc
   step_kernels().sum_forces(forces_view(), coordinate_blocks.data(), coordinate_blocks.size(), rows);
 }
 
-// v += kick M^-1 F, x += drift v with a diagonal mass. Returns the fastest that came of it.
+// v += kick M^-1 F, x += drift v with a diagonal mass. Returns the largest resulting speeds, weighted and squared.
 update_kernel::Fastest CableSystem::Impl::kick_and_drift(CoordinateVectors& v, CoordinateVectors& x,
                                                          const AlignedVector<double>& inverse_masses, double kick,
                                                          double drift) {
@@ -257,8 +259,8 @@ update_kernel::Fastest CableSystem::Impl::kick_and_drift(CoordinateVectors& v, C
   return fastest;
 }
 
-// The same with the evaluation's mass. With the consistent one the forces are first collected: they are what a kick
-// with unit masses adds to velocities that were zero.
+// Uses the mass matrix of the evaluation. For the consistent mass the forces are collected first: a kick with unit
+// masses from zero velocity leaves the forces in `forces`.
 void CableSystem::Impl::move_coordinates(CoordinateVectors& v, CoordinateVectors& x, double kick, double drift) {
   if (!consistent_mass) {
     const update_kernel::Fastest fastest = kick_and_drift(v, x, inverse_mass, kick, drift);
@@ -270,7 +272,7 @@ void CableSystem::Impl::move_coordinates(CoordinateVectors& v, CoordinateVectors
   consistent_mass->kick_and_drift(forces, mass, kick, drift, v, x);
 }
 
-// The springs of contacts stay as stiff as the first step makes them.
+// The stiffness of contacts is based on the first step for the whole run.
 void CableSystem::Impl::set_reference_step(double dt) {
   reference_step = dt;
   contacts.set_reference_step(dt);
@@ -282,11 +284,11 @@ void CableSystem::Impl::set_reference_step(double dt) {
 void CableSystem::Impl::step(double dt) {
   if (reference_step == 0) {
     set_reference_step(dt);
-    begin_accounts();  // what is in springs at the start belongs to the energy at the start
+    begin_accounts();  // energy stored in springs at the start belongs to the initial energy
     forget_forces();
   }
   keep_forces_current(dt);
-  // Velocities stand half a step of the previous size before the positions; at the start they stand with them.
+  // Velocities lag positions by half of the previous step. At the start there is no lag, since last_dt is 0.
   const double kick = 0.5 * (last_dt + dt);
   const contact_kernel::ContactPower before = contact_power(contacts.dissipated_power_before(), velocities, bodies);
   input_work += kick * element_power.fed;
@@ -307,7 +309,7 @@ void CableSystem::Impl::step(double dt) {
   for (DynamicBody& body : bodies) body.move_attachments(coordinates, velocities);
   const contact_kernel::ContactPower after =
       contact_power(contacts.dissipated_power(velocities, bodies), velocities, bodies);
-  // Rounding aside neither is negative.
+  // Neither is negative, apart from round-off.
   spent.in_contacts += std::max(0.5 * kick * (before.damping + after.damping), 0.0);
   spent.by_friction += std::max(0.5 * kick * (before.friction + after.friction), 0.0);
   time += dt;
@@ -318,10 +320,10 @@ void CableSystem::Impl::step(double dt) {
   } else {
     note_cord_speed();
   }
-  cords_way += dt * cord_speed;  // of all that moves by itself
+  cords_way += dt * cord_speed;  // of free coordinates; step_body adds that of attachments
 }
 
-// Of the forces of the present step.
+// Records the contacts that the present step's forces are computed from.
 void CableSystem::Impl::note_contacts() {
   safeguards += hinge_safeguards;
   safeguards.stopped_blows += contacts.stops();
@@ -334,8 +336,8 @@ void CableSystem::Impl::note_contacts() {
   depths.overlapping.keep_deeper(cord_contacts->deepest_part());
 }
 
-// Returns the work of the body's control. Between two poses a point at a distance a from the centre moves by no more
-// than the centre does and the chord of the turn, 2 a sin(angle/2).
+// Returns the work (J) of the body's control. Between two poses, a point at distance a from the centre moves by at most
+// the centre's displacement plus the chord of the rotation, 2 a sin(angle/2).
 double CableSystem::Impl::step_body(std::size_t body, double kick, double dt) {
   DynamicBody& moving = bodies[body];
   const Eigen::Vector3d centre = moving.centre(), position = moving.rigid().position();

@@ -1,8 +1,8 @@
 #pragma once
-// Properties of the material that can be changed in the midst of a run: friction of contacts, and the pressure in the
-// rods, through the moment at which they wrinkle. Each goes over to its new value within half a second
-// (gradual_change.h): forces that follow it do so without a jump. The wrinkling moment goes by its inverse, which is
-// zero for rods that do not wrinkle; the work of the change is booked as put in.
+// Changes material properties during a run: the friction of contacts, and the pressure in the rods through their
+// wrinkling moment. Each changes gradually within 0.5 s (gradual_change.h), so that no force jumps. For the
+// wrinkling moment its inverse changes gradually, which is zero for rods that do not wrinkle. The work of the change
+// counts as energy put in.
 
 #include <array>
 #include <functional>
@@ -16,23 +16,23 @@ namespace netpocket {
 
 class MaterialChanges {
  public:
-  // `system`, whose model is the pocket's of that scenario, must outlive this.
+  // `system` must have been made from the pocket's model of that scenario, and must outlive this.
   MaterialChanges(const Pocket& pocket, CableSystem& system, const Scenario& scenario);
 
-  // Goes over to what another scenario says, from `now` (s) on.
+  // Begins the change to the values of another scenario at `now` (s).
   void change(const Scenario& scenario, double now);
-  // To be called before each step: gives the system what holds at `time` (s).
+  // To be called before each step: gives the system the values at `time` (s).
   void apply(double time);
 
-  // Gives every number of the state to `visit`, which may change it: then the system is given what held in that state.
-  // To be called before the system's own walk, which sets the account of energy right.
+  // Gives every number of the state to `visit`, which may change it; the system is then given the values of that state.
+  // To be called before CableSystem::visit_state, which restores the energy account.
   void visit_state(const std::function<void(double&)>& visit);
 
  private:
   struct Rods {
     std::int32_t material;
-    double moment;           // N m, that of the scenario
-    GradualChange weakness;  // 1/moment, 0 where rods do not wrinkle
+    double moment;           // N m, wrinkling moment of the scenario
+    GradualChange weakness;  // 1/(N m), 1/moment; 0 for rods that do not wrinkle
     double applied;          // weakness that the system has
   };
 
@@ -42,7 +42,7 @@ class MaterialChanges {
   CableSystem& system_;
   GradualChange friction_;
   double applied_friction_;
-  std::array<Rods, 2> rods_;  // lower and upper
+  std::array<Rods, 2> rods_;  // below and above the kinks
 };
 
 }  // namespace netpocket

@@ -1,5 +1,5 @@
 #pragma once
-// Sections of cords and inflatable rods from their dimensions.
+// Materials of cords and inflatable rods from their dimensions.
 
 #include "engine/model/model.h"
 #include "engine/scenario/scenario.h"

@@ -18,11 +18,11 @@
 namespace netpocket {
 namespace {
 
-// Rows of the triangular grid nearer to the axis than this many root radii are left out: the clamp is there.
+// Rows of the triangular grid closer to the axis than this many root radii are omitted: the rods are clamped there.
 constexpr double kRootClearance = 1.05;
 
-// A point of a panel's grid by its row (downwards from the kink row in the lower grid, upwards in the upper one) and
-// its place in the row.
+// Nodes of a panel's grid by row (counted from the kink row, downwards in the lower grid, upwards in the upper one) and
+// place in the row.
 using Grid = std::map<std::pair<int, int>, SectorIndex>;
 
 class PocketBuilder {
@@ -119,7 +119,7 @@ void PocketBuilder::add_rods() {
     return sectors_.add_node([this, r, y](int sector) { return on_rod(sector, r, y); });
   };
   root_ = rod_node(root.x(), root.y());
-  // The triangular grid's virtual apex is where the rods' lower parts would meet on the axis.
+  // The apex is the virtual point on the axis where the lower parts of the rods would meet.
   const double apex_y = root.y() - root.x() * (kink.y() - root.y()) / (kink.x() - root.x());
   lower_rows_.push_back(rod_node(kink.x(), kink.y()));
   for (int row = 1; row < columns_; ++row) {
@@ -167,7 +167,7 @@ void PocketBuilder::add_rods() {
   }
 }
 
-// The node at the fraction `across` of the way from a rod's node to the next rod's.
+// Node between a rod's node and that of the next rod, at the fraction `across` of the distance.
 SectorIndex PocketBuilder::panel_node(const SectorIndex& rod_node, double across) {
   return sectors_.add_node([this, rod_node, across](int sector) -> Eigen::Vector3d {
     return (1 - across) * sectors_.position(rod_node, sector) + across * sectors_.position(rod_node.of_next(), sector);
@@ -177,7 +177,7 @@ SectorIndex PocketBuilder::panel_node(const SectorIndex& rod_node, double across
 void PocketBuilder::add_net_thread(const std::vector<SectorIndex>& knots, const std::string& what) {
   if (knots.size() < 2) return;
   const std::vector<int> divisions(knots.size() - 1, scenario_.pocket.elements_per_side);
-  // Straight cords would buckle in whatever direction round-off gives them; these know theirs.
+  // Straight cords would buckle in a direction that rounding errors decide. The bow determines it.
   const Bow bow{scenario_.pocket.bow, {0, profile(1).y(), 0}};
   sectors_.add_thread(
       knots, divisions, net_, PocketGroup::net,
@@ -239,7 +239,7 @@ void PocketBuilder::add_closing_ropes() {
   const SectorThread thread =
       sectors_.add_thread({tip, tip.of_next()}, {scenario_.closing.elements}, rope_, PocketGroup::closing_ropes,
                           [](int sector) { return fmt::format("closing rope {}", sector + 1); });
-  double first_open = 0;  // of the first sector
+  double first_open = 0;  // m, of the first sector
   for (int sector = 0; sector < sectors_.sectors(); ++sector) {
     const double open = (sectors_.position(tip.of_next(), sector) - sectors_.position(tip, sector)).norm();
     VariableRope rope;

@@ -8,8 +8,8 @@
 
 namespace netpocket {
 
-// Rods 0, n/4, n/2 and 3n/4 lie exactly on the axes and every other rod's direction is that of a rod of the first
-// quarter, turned by swapping and negating components.
+// Rods 0, n/4, n/2 and 3n/4 lie exactly on the axes. All others are rods of the first quarter with components swapped
+// and negated.
 Eigen::Vector3d SectorBuilder::radial(int rod) const {
   const auto first_quarter = [&](double angle) -> Eigen::Vector3d {
     if (angle == 0) return {1, 0, 0};
@@ -36,7 +36,7 @@ Eigen::Vector3d SectorBuilder::position(SectorIndex node, int sector) const {
   return model_.nodes[resolve(node, sector)].position;
 }
 
-// The point at the fraction `part` of a stretch. Its bow is the quartic with no slope at the ends.
+// Point at the fraction `part` of a stretch. The bow is the quartic with no slope at the ends.
 Eigen::Vector3d SectorBuilder::bowed(const SectorIndex& from, const SectorIndex& to, double part, int sector,
                                      const Bow& bow) const {
   const Eigen::Vector3d start = position(from, sector), end = position(to, sector);
@@ -55,11 +55,11 @@ Eigen::Vector3d SectorBuilder::bowed(const SectorIndex& from, const SectorIndex&
 
 namespace {
 
-// Length at which an element from one end of `chord` to the other with unit gradients along `direction` has no mean
+// Length of an unstrained element: one between the ends of `chord`, with unit gradients along `direction` and no mean
 // axial strain (mean_strain_element.h).
 double unstrained_length(const Eigen::Vector3d& chord, const Eigen::Vector3d& direction) {
   double length = symmetric_norm(chord);
-  for (int i = 0; i < 8; ++i) {  // each takes the error times the square of the small angle between the two
+  for (int i = 0; i < 8; ++i) {  // each multiplies the error by the square of the small angle between the two
     const Eigen::Vector3d e = chord / length;
     length *= 1 + 0.5 * (symmetric_squared_norm(e) - 1 + 0.2 * symmetric_squared_norm(direction - e));
   }
@@ -68,8 +68,8 @@ double unstrained_length(const Eigen::Vector3d& chord, const Eigen::Vector3d& di
 
 }  // namespace
 
-// Pairs the elements of each side two by two, where they are equally long: not those on either side of a bow's flank.
-// Of an odd number the last remains single.
+// Pairs successive elements of each side if they are equally long. Elements on either side of a bow's flank are not.
+// The last of an odd number stays single.
 void SectorBuilder::pair_within_sides(const SectorThread& thread, const std::vector<int>& divisions) {
   std::size_t begin = 0;
   for (const int division : divisions) {

@@ -11,7 +11,7 @@
 
 namespace netpocket {
 
-// A node or gradient of every sector: `local` counts within a sector; `next` refers to the following sector's.
+// A node or gradient of every sector. `local` is its index within the sector; `next` refers to the following sector.
 struct SectorIndex {
   std::int32_t local = -1;
   bool next = false;
@@ -20,15 +20,15 @@ struct SectorIndex {
   bool operator==(const SectorIndex&) const = default;
 };
 
-// A chain of elements through every sector, from knot to knot.
+// A chain of elements from knot to knot; every sector has one.
 struct SectorThread {
   std::vector<SectorIndex> nodes;
-  std::vector<SectorIndex> gradients;  // one for each node
-  std::vector<std::int32_t> elements;  // local: index in the model = local * sectors + sector
+  std::vector<SectorIndex> gradients;  // one per node
+  std::vector<std::int32_t> elements;  // local indices: index in the model = local * sectors + sector
 };
 
-// How cords deviate from straight lines between their knots: every stretch rises by `rise` times its length at its
-// middle, across itself and away from a point on the axis, with no slope at the knots.
+// Deviation of cords from the straight lines between their knots. The middle of each stretch is displaced by `rise`
+// times its length, perpendicular to it and away from a point on the axis. The slope at the knots is unchanged.
 struct Bow {
   double rise = 0;
   Eigen::Vector3d away_from = Eigen::Vector3d::Zero();  // m
@@ -36,23 +36,24 @@ struct Bow {
 
 class SectorBuilder {
  public:
-  // `pair`: elements of a side share their axial strain two by two (ancf/strain_pair.h), where they are equally long
-  // and the material carries full compression. Adds to `model`, which must not have nodes, gradients or elements yet.
+  // `pair`: pairs of elements of a side share their axial strain (ancf/strain_pair.h), if they are equally long and the
+  // material carries full compression. Adds to `model`, which must have no nodes, gradients or elements yet and must
+  // outlive this.
   SectorBuilder(Model& model, int sectors, bool pair) : model_(model), sectors_(sectors), pair_(pair) {}
 
   int sectors() const { return sectors_; }
-  // Horizontal unit vector from the axis towards rod `rod`; exact under quarter turns.
+  // Horizontal unit vector from the axis towards rod `rod`; exactly symmetric under quarter turns.
   Eigen::Vector3d radial(int rod) const;
 
-  // A node of each sector at position(sector).
+  // Adds a node to each sector, at position(sector) in m.
   SectorIndex add_node(const std::function<Eigen::Vector3d(int sector)>& position);
   Eigen::Vector3d position(SectorIndex node, int sector) const;
   std::int32_t node(SectorIndex index, int sector) const { return resolve(index, sector); }
   std::int32_t gradient(SectorIndex index, int sector) const { return resolve(index, sector); }
   std::int32_t element(std::int32_t local, int sector) const { return local * sectors_ + sector; }
 
-  // A thread along the straight line through `knots`, `divisions[i]` elements between knot i and i+1, free of axial
-  // strain; one gradient per node, of unit length. `name(sector)` names it.
+  // Adds a thread along the straight line through `knots`, bent by `bow`, without axial strain. It has `divisions[i]`
+  // elements between knots i and i+1 and one unit gradient per node. `name(sector)` names it.
   SectorThread add_thread(const std::vector<SectorIndex>& knots, const std::vector<int>& divisions,
                           std::int32_t material, PocketGroup group, const std::function<std::string(int sector)>& name,
                           const Bow& bow = {});
