@@ -14,11 +14,8 @@ struct Kernels {
 };
 
 const Kernels& kernels() {
-  static const Kernels chosen = {
-      choose_variant(element_kernel::baseline::element_forces, element_kernel::avx2::element_forces,
-                     element_kernel::avx512::element_forces),
-      choose_variant(element_kernel::baseline::element_states, element_kernel::avx2::element_states,
-                     element_kernel::avx512::element_states)};
+  static const Kernels chosen = {NETPOCKET_VARIANT_OF(element_kernel, element_forces),
+                                 NETPOCKET_VARIANT_OF(element_kernel, element_states)};
   return chosen;
 }
 

@@ -13,10 +13,9 @@
 #include <vector>
 
 #include "engine/ancf/cable_section.h"
+#include "engine/math/block_size.h"
 
 namespace netpocket {
-
-inline constexpr int kBlockSize = 8;  // elements (and coordinates) computed at once
 
 // The vectors of all coordinates in memory. Each block of eight coordinates has three rows of eight values: x, y, z.
 // 64-byte aligned.

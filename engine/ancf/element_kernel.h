@@ -2,6 +2,7 @@
 // Declares the instruction-set variants of the element kernel. Internal to ElementBatch, which chooses between them.
 
 #include "engine/ancf/element_batch.h"
+#include "engine/math/instruction_set.h"
 
 namespace netpocket::element_kernel {
 
@@ -11,23 +12,10 @@ using StateKernel = void (*)(const BatchView& batch, int first, int last, const 
 using Kernel = BatchPower (*)(const BatchView& batch, int first, int last, const CoordinateRows& coordinates,
                               const CoordinateRows& velocities, double* forces);
 
-namespace baseline {
-void element_states(const BatchView& batch, int first, int last, const CoordinateRows& coordinates,
-                    const CoordinateRows& velocities, double* states);
-BatchPower element_forces(const BatchView& batch, int first, int last, const CoordinateRows& coordinates,
-                          const CoordinateRows& velocities, double* forces);
-}  // namespace baseline
-namespace avx2 {
-void element_states(const BatchView& batch, int first, int last, const CoordinateRows& coordinates,
-                    const CoordinateRows& velocities, double* states);
-BatchPower element_forces(const BatchView& batch, int first, int last, const CoordinateRows& coordinates,
-                          const CoordinateRows& velocities, double* forces);
-}  // namespace avx2
-namespace avx512 {
-void element_states(const BatchView& batch, int first, int last, const CoordinateRows& coordinates,
-                    const CoordinateRows& velocities, double* states);
-BatchPower element_forces(const BatchView& batch, int first, int last, const CoordinateRows& coordinates,
-                          const CoordinateRows& velocities, double* forces);
-}  // namespace avx512
+NETPOCKET_VARIANTS(void element_states(const BatchView& batch, int first, int last, const CoordinateRows& coordinates,
+                                       const CoordinateRows& velocities, double* states);
+                   BatchPower element_forces(const BatchView& batch, int first, int last,
+                                             const CoordinateRows& coordinates, const CoordinateRows& velocities,
+                                             double* forces);)
 
 }  // namespace netpocket::element_kernel

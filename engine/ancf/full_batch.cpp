@@ -5,8 +5,7 @@
 namespace netpocket {
 BatchPower FullBatch::forces(const ElementBatch& batch, int first, int last, const CoordinateRows& coordinates,
                              const CoordinateRows& velocities, double* forces) const {
-  static const full_kernel::Kernel kernel = choose_variant(
-      full_kernel::baseline::element_forces, full_kernel::avx2::element_forces, full_kernel::avx512::element_forces);
+  static const full_kernel::Kernel kernel = NETPOCKET_VARIANT_OF(full_kernel, element_forces);
   return kernel(batch.view(), start_rates_.data(), first, last, coordinates, velocities, forces);
 }
 

@@ -3,6 +3,7 @@
 // them.
 
 #include "engine/ancf/element_batch.h"
+#include "engine/math/instruction_set.h"
 
 namespace netpocket::full_kernel {
 
@@ -14,17 +15,7 @@ struct alignas(64) StartRates {
 using Kernel = BatchPower (*)(const BatchView& batch, const StartRates* start_rates, int first, int last,
                               const CoordinateRows& coordinates, const CoordinateRows& velocities, double* forces);
 
-namespace baseline {
-BatchPower element_forces(const BatchView&, const StartRates*, int, int, const CoordinateRows&, const CoordinateRows&,
-                          double*);
-}
-namespace avx2 {
-BatchPower element_forces(const BatchView&, const StartRates*, int, int, const CoordinateRows&, const CoordinateRows&,
-                          double*);
-}
-namespace avx512 {
-BatchPower element_forces(const BatchView&, const StartRates*, int, int, const CoordinateRows&, const CoordinateRows&,
-                          double*);
-}
+NETPOCKET_VARIANTS(BatchPower element_forces(const BatchView&, const StartRates*, int, int, const CoordinateRows&,
+                                             const CoordinateRows&, double*);)
 
 }  // namespace netpocket::full_kernel

@@ -28,3 +28,19 @@ Kernel choose_variant(Kernel baseline, Kernel avx2, Kernel avx512) {
 }
 
 }  // namespace netpocket
+
+// Declares a kernel's functions once for each variant, in a namespace of its own.
+#define NETPOCKET_VARIANTS(...) \
+  namespace baseline {          \
+  __VA_ARGS__                   \
+  }                             \
+  namespace avx2 {              \
+  __VA_ARGS__                   \
+  }                             \
+  namespace avx512 {            \
+  __VA_ARGS__                   \
+  }
+
+// The variant of a kernel's function that belongs to instruction_set(); `kernel` is the namespace of the variants.
+#define NETPOCKET_VARIANT_OF(kernel, function) \
+  ::netpocket::choose_variant(kernel::baseline::function, kernel::avx2::function, kernel::avx512::function)

@@ -5,6 +5,8 @@
 
 #include <array>
 
+#include "engine/math/block_size.h"
+
 namespace netpocket {
 
 template <typename T>
@@ -12,16 +14,17 @@ class SectorSum {
  public:
   explicit SectorSum(const T& zero) { parts_.fill(zero); }
 
-  // Adds a contribution of sector index % 8.
-  void add(int index, const T& value) { parts_[index % 8] += value; }
+  // Adds a contribution of sector index % kSectors.
+  void add(int index, const T& value) { parts_[index % kSectors] += value; }
   T total() const {
+    static_assert(kSectors == 8);
     const T even = (parts_[0] + parts_[4]) + (parts_[2] + parts_[6]);
     const T odd = (parts_[1] + parts_[5]) + (parts_[3] + parts_[7]);
     return even + odd;
   }
 
  private:
-  std::array<T, 8> parts_;
+  std::array<T, kSectors> parts_;
 };
 
 }  // namespace netpocket

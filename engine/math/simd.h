@@ -12,10 +12,12 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "engine/math/block_size.h"
+
 namespace netpocket::simd {
 namespace {
 
-constexpr int kBlock = 8;  // lanes of a block of data
+constexpr int kBlock = kBlockSize;  // lanes of a block of data
 #if defined(__AVX512F__)
 constexpr int kWidth = 8;
 #elif defined(__AVX__)

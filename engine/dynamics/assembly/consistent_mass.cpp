@@ -16,8 +16,7 @@ namespace {
 
 factor_kernel::Kernels choose_kernels() {
   using namespace factor_kernel;
-  return {choose_variant(baseline::forward, avx2::forward, avx512::forward),
-          choose_variant(baseline::backward, avx2::backward, avx512::backward)};
+  return {NETPOCKET_VARIANT_OF(factor_kernel, forward), NETPOCKET_VARIANT_OF(factor_kernel, backward)};
 }
 
 std::vector<std::uint8_t> free_coordinates(const Model& model, const CoordinateLayout& layout) {

@@ -4,6 +4,8 @@
 
 #include <cstdint>
 
+#include "engine/math/instruction_set.h"
+
 namespace netpocket::factor_kernel {
 
 // A strictly triangular matrix, stored by rows.
@@ -28,17 +30,7 @@ struct Kernels {
   BackwardKernel backward;
 };
 
-namespace baseline {
-void forward(const TriangleView& lower, Row* x);
-void backward(const TriangleView& upper, const double* scale, Row* x);
-}  // namespace baseline
-namespace avx2 {
-void forward(const TriangleView& lower, Row* x);
-void backward(const TriangleView& upper, const double* scale, Row* x);
-}  // namespace avx2
-namespace avx512 {
-void forward(const TriangleView& lower, Row* x);
-void backward(const TriangleView& upper, const double* scale, Row* x);
-}  // namespace avx512
+NETPOCKET_VARIANTS(void forward(const TriangleView& lower, Row* x);
+                   void backward(const TriangleView& upper, const double* scale, Row* x);)
 
 }  // namespace netpocket::factor_kernel

@@ -14,7 +14,7 @@ constexpr int kCoordinateRange = 2048;
 
 motion_kernel::Kernel kernel() {
   using namespace motion_kernel;
-  static const Kernel chosen = choose_variant(baseline::largest_square, avx2::largest_square, avx512::largest_square);
+  static const Kernel chosen = NETPOCKET_VARIANT_OF(motion_kernel, largest_square);
   return chosen;
 }
 

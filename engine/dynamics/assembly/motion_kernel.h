@@ -3,20 +3,14 @@
 
 #include <cstddef>
 
+#include "engine/math/instruction_set.h"
+
 namespace netpocket::motion_kernel {
 
 // Largest (weight |v|)^2 over `blocks` blocks of eight vectors (CoordinateRows), with one weight per vector; NaN if any
 // value is NaN.
 using Kernel = double (*)(const double* rows, const double* weights, std::size_t blocks);
 
-namespace baseline {
-double largest_square(const double* rows, const double* weights, std::size_t blocks);
-}  // namespace baseline
-namespace avx2 {
-double largest_square(const double* rows, const double* weights, std::size_t blocks);
-}  // namespace avx2
-namespace avx512 {
-double largest_square(const double* rows, const double* weights, std::size_t blocks);
-}  // namespace avx512
+NETPOCKET_VARIANTS(double largest_square(const double* rows, const double* weights, std::size_t blocks);)
 
 }  // namespace netpocket::motion_kernel

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "engine/ancf/element_batch.h"
+#include "engine/math/instruction_set.h"
 
 namespace netpocket::update_kernel {
 
@@ -68,17 +69,8 @@ using Kernel = Fastest (*)(const UpdateView& view, int first, int last, double k
 using SumKernel = void (*)(const UpdateView& view, const std::int32_t* coordinate_blocks, std::size_t count,
                            double* forces);
 
-namespace baseline {
-Fastest update(const UpdateView& view, int first, int last, double kick, double drift);
-void sum_forces(const UpdateView& view, const std::int32_t* coordinate_blocks, std::size_t count, double* forces);
-}  // namespace baseline
-namespace avx2 {
-Fastest update(const UpdateView& view, int first, int last, double kick, double drift);
-void sum_forces(const UpdateView& view, const std::int32_t* coordinate_blocks, std::size_t count, double* forces);
-}  // namespace avx2
-namespace avx512 {
-Fastest update(const UpdateView& view, int first, int last, double kick, double drift);
-void sum_forces(const UpdateView& view, const std::int32_t* coordinate_blocks, std::size_t count, double* forces);
-}  // namespace avx512
+NETPOCKET_VARIANTS(Fastest update(const UpdateView& view, int first, int last, double kick, double drift);
+                   void sum_forces(const UpdateView& view, const std::int32_t* coordinate_blocks, std::size_t count,
+                                   double* forces);)
 
 }  // namespace netpocket::update_kernel

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "engine/ancf/element_batch.h"
+#include "engine/math/instruction_set.h"
 
 namespace netpocket {
 
@@ -90,24 +91,11 @@ struct ContactPower {
 using PowerKernel = ContactPower (*)(const CoordinateRows& velocities, const BodyMotion& body,
                                      const ContactBlock* contacts, std::size_t count);
 
-namespace baseline {
-void vertices(const ElementBlock&, const Vertex*, std::size_t, const CoordinateRows&, const double*, double*);
-void sphere_places(const double*, const double*, const double*, SpherePlaces&);
-void forces(const ForceView&, const BodyMotion&, ContactBlock*, std::size_t);
-ContactPower power(const CoordinateRows&, const BodyMotion&, const ContactBlock*, std::size_t);
-}  // namespace baseline
-namespace avx2 {
-void vertices(const ElementBlock&, const Vertex*, std::size_t, const CoordinateRows&, const double*, double*);
-void sphere_places(const double*, const double*, const double*, SpherePlaces&);
-void forces(const ForceView&, const BodyMotion&, ContactBlock*, std::size_t);
-ContactPower power(const CoordinateRows&, const BodyMotion&, const ContactBlock*, std::size_t);
-}  // namespace avx2
-namespace avx512 {
-void vertices(const ElementBlock&, const Vertex*, std::size_t, const CoordinateRows&, const double*, double*);
-void sphere_places(const double*, const double*, const double*, SpherePlaces&);
-void forces(const ForceView&, const BodyMotion&, ContactBlock*, std::size_t);
-ContactPower power(const CoordinateRows&, const BodyMotion&, const ContactBlock*, std::size_t);
-}  // namespace avx512
+NETPOCKET_VARIANTS(void vertices(const ElementBlock&, const Vertex*, std::size_t, const CoordinateRows&, const double*,
+                                 double*);
+                   void sphere_places(const double*, const double*, const double*, SpherePlaces&);
+                   void forces(const ForceView&, const BodyMotion&, ContactBlock*, std::size_t);
+                   ContactPower power(const CoordinateRows&, const BodyMotion&, const ContactBlock*, std::size_t);)
 
 }  // namespace contact_kernel
 }  // namespace netpocket

@@ -28,9 +28,8 @@ struct SearchKernels {
 
 const SearchKernels& search_kernels() {
   using namespace contact_kernel;
-  static const SearchKernels chosen = {
-      choose_variant(baseline::vertices, avx2::vertices, avx512::vertices),
-      choose_variant(baseline::sphere_places, avx2::sphere_places, avx512::sphere_places)};
+  static const SearchKernels chosen = {NETPOCKET_VARIANT_OF(contact_kernel, vertices),
+                                       NETPOCKET_VARIANT_OF(contact_kernel, sphere_places)};
   return chosen;
 }
 

@@ -30,8 +30,8 @@ struct ForceKernels {
 
 const ForceKernels& force_kernels() {
   using namespace contact_kernel;
-  static const ForceKernels chosen = {choose_variant(baseline::forces, avx2::forces, avx512::forces),
-                                      choose_variant(baseline::power, avx2::power, avx512::power)};
+  static const ForceKernels chosen = {NETPOCKET_VARIANT_OF(contact_kernel, forces),
+                                      NETPOCKET_VARIANT_OF(contact_kernel, power)};
   return chosen;
 }
 

@@ -5,6 +5,7 @@
 
 #include "engine/contact/near_pairs.h"
 #include "engine/dynamics/assembly/element_curve.h"
+#include "engine/math/block_size.h"
 #include "engine/math/symmetric_algebra.h"
 
 namespace netpocket {
@@ -27,8 +28,6 @@ constexpr double kNearPart = 0.25;
 // broad_margin() by the elements' mean length, so that the number of candidates per element does not depend on the
 // mesh.
 constexpr double kBroadMargin = 0.45;
-// The pocket's symmetry: index = local * kSectors + sector, as in SectorSum.
-constexpr std::int32_t kSectors = 8;
 
 // The middle control points of the Bezier form of an element's cubic less the points of its chord at 1/3 and 2/3. The
 // curve is off the chord by no more than 3/4 of the longer of the two: 3t(1-t)^2 + 3t^2(1-t) <= 3/4.

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "engine/ancf/element_batch.h"
+#include "engine/math/instruction_set.h"
 
 namespace netpocket {
 
@@ -41,15 +42,8 @@ struct Axes {
 using Kernel = void (*)(const CoordinateRows& coordinates, const CoordinateRows& velocities, const double* inverse_mass,
                         double kick, const Axes& axes, HingeBlock& block);
 
-namespace baseline {
-void forces(const CoordinateRows&, const CoordinateRows&, const double*, double, const Axes&, HingeBlock&);
-}
-namespace avx2 {
-void forces(const CoordinateRows&, const CoordinateRows&, const double*, double, const Axes&, HingeBlock&);
-}
-namespace avx512 {
-void forces(const CoordinateRows&, const CoordinateRows&, const double*, double, const Axes&, HingeBlock&);
-}
+NETPOCKET_VARIANTS(void forces(const CoordinateRows&, const CoordinateRows&, const double*, double, const Axes&,
+                               HingeBlock&);)
 
 }  // namespace hinge_kernel
 }  // namespace netpocket

@@ -23,10 +23,8 @@ struct RopeKernels {
 };
 
 const RopeKernels& rope_kernels() {
-  static const RopeKernels chosen = {
-      choose_variant(rope_kernel::baseline::forces, rope_kernel::avx2::forces, rope_kernel::avx512::forces),
-      choose_variant(rope_kernel::baseline::energy_change, rope_kernel::avx2::energy_change,
-                     rope_kernel::avx512::energy_change)};
+  static const RopeKernels chosen = {NETPOCKET_VARIANT_OF(rope_kernel, forces),
+                                     NETPOCKET_VARIANT_OF(rope_kernel, energy_change)};
   return chosen;
 }
 

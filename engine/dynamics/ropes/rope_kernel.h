@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "engine/ancf/element_batch.h"
+#include "engine/math/instruction_set.h"
 
 namespace netpocket {
 
@@ -36,18 +37,8 @@ using ForceKernel = void (*)(const CoordinateRows& coordinates, const Coordinate
 // Computes the change of kinetic energy at these coordinates and velocities: present span minus previous span.
 using EnergyKernel = void (*)(const CoordinateRows& coordinates, const CoordinateRows& velocities, RopeBlock& block);
 
-namespace baseline {
-void forces(const CoordinateRows&, const CoordinateRows&, double, double, RopeBlock&);
-void energy_change(const CoordinateRows&, const CoordinateRows&, RopeBlock&);
-}  // namespace baseline
-namespace avx2 {
-void forces(const CoordinateRows&, const CoordinateRows&, double, double, RopeBlock&);
-void energy_change(const CoordinateRows&, const CoordinateRows&, RopeBlock&);
-}  // namespace avx2
-namespace avx512 {
-void forces(const CoordinateRows&, const CoordinateRows&, double, double, RopeBlock&);
-void energy_change(const CoordinateRows&, const CoordinateRows&, RopeBlock&);
-}  // namespace avx512
+NETPOCKET_VARIANTS(void forces(const CoordinateRows&, const CoordinateRows&, double, double, RopeBlock&);
+                   void energy_change(const CoordinateRows&, const CoordinateRows&, RopeBlock&);)
 
 }  // namespace rope_kernel
 }  // namespace netpocket

@@ -21,11 +21,9 @@ struct StepKernels {
 };
 
 const StepKernels& step_kernels() {
-  static const StepKernels chosen = {
-      choose_variant(update_kernel::baseline::update, update_kernel::avx2::update, update_kernel::avx512::update),
-      choose_variant(update_kernel::baseline::sum_forces, update_kernel::avx2::sum_forces,
-                     update_kernel::avx512::sum_forces),
-      choose_variant(hinge_kernel::baseline::forces, hinge_kernel::avx2::forces, hinge_kernel::avx512::forces)};
+  static const StepKernels chosen = {NETPOCKET_VARIANT_OF(update_kernel, update),
+                                     NETPOCKET_VARIANT_OF(update_kernel, sum_forces),
+                                     NETPOCKET_VARIANT_OF(hinge_kernel, forces)};
   return chosen;
 }
 
