@@ -1,7 +1,7 @@
 #pragma once
 // Shortens steps where stability is not enough, by a factor on the stable step:
-// - Contacts. Springs of contacts are no stiffer than a step resolves (force_law.h), so a given load presses cords the
-//   deeper the longer the step, with dt^(5/3). Steps are shortened while penetrations exceed kDeep.
+// - Contacts. A load for which springs of contacts are too soft presses cords to their greatest depth, where each step
+//   stops the approach (contact_solver.h). Steps are halved after a stop and shortened while penetrations exceed kDeep.
 // - Short waves. The integrator misses the part (w dt/2)^2 of the energy of a wave of frequency w (aliased energy).
 //   Steps are shortened while that exceeds kAliased of the energy that has been exchanged.
 //
