@@ -216,14 +216,21 @@ NETPOCKET_INLINE Choice better(const Choice& a, const Choice& b) {
           second ? b.number : a.number};
 }
 
+NETPOCKET_INLINE SimdVector chosen(const SimdDouble& number, int index, const SimdVector& value,
+                                   const SimdVector& otherwise) {
+  const auto is_it = number == broadcast(static_cast<double>(index));
+  return {is_it ? value.x : otherwise.x, is_it ? value.y : otherwise.y, is_it ? value.z : otherwise.z};
+}
+
 NETPOCKET_INLINE void store_choice(const Piece* pieces, const Choice& choice, const SimdDouble& thickness, int holder,
                                    int part, SpherePlaces& places) {
-  SimdDouble depth = broadcast(0.0);
-  for (int i = 0; i < 4; ++i) {
-    const SimdVector arm = pieces[i].start + choice.estimate.t * pieces[i].along;
-    const SimdDouble here = thickness - square_root(dot(arm, arm));
-    depth = choice.number == broadcast(static_cast<double>(i)) ? here : depth;
+  SimdVector start = pieces[0].start, along = pieces[0].along;
+  for (int i = 1; i < 4; ++i) {
+    start = chosen(choice.number, i, pieces[i].start, start);
+    along = chosen(choice.number, i, pieces[i].along, along);
   }
+  const SimdVector arm = start + choice.estimate.t * along;
+  const SimdDouble depth = thickness - square_root(dot(arm, arm));
   store(places.place[holder], part, choice.number + choice.estimate.t);
   store(places.depth[holder], part, choice.estimate.score > broadcast(0.0) ? depth : broadcast(0.0));
   store(places.share[holder], part, choice.estimate.weight);
