@@ -85,7 +85,7 @@ Json summary_json(const Recording& recording) {
           {"time_step", statistics.time_step},
           {"evaluation", utf8(statistics.evaluation)},
           {"frames", recording.frame_count()},
-          {"closing_end", origin.closing_end},
+          {"closing_end", phase_end(origin.phases, kClosing)},
           {"captured", judgement(summary.captured)},
           {"capture", to_string(summary.captured)},
           {"first_contact_time", summary.first_contact_time ? Json(*summary.first_contact_time) : Json()},

@@ -47,8 +47,8 @@ class RunHistory {
   RunHistory(const Recording& recording, std::string name) : recording_(&recording), name_(std::move(name)) {}
 
   const std::string& name() const { return name_; }
-  double closing_end() const { return recording_->origin().closing_end; }
-  double towing_start() const { return recording_->origin().towing_start; }
+  double closing_end() const { return phase_end(recording_->origin().phases, kClosing); }
+  double towing_start() const { return phase_begin(recording_->origin().phases, kTowing); }
   double end() const { return times().empty() ? 0 : times().back(); }
   const std::vector<double>& times() const { return recording_->times(); }
   const std::vector<double>& channel(Channel c) const { return recording_->channel(c); }
@@ -82,7 +82,8 @@ class RunHistory {
   // Largest |position - position at the frame `origin`| in the range, by component.
   Eigen::Vector3d excursion(Body body, FrameRange range, std::size_t origin) const;
 
-  // Whether the run counts as a capture, by kCaptureRule.
+  // Whether the run counts as a capture: a pocket's by kCaptureRule. Another kind of capture system says so itself, by
+  // a channel named "captured" that is 1 while the target is held: it must be 1 over the last second of the run.
   Capture capture() const;
   // "diverged at t = 3.2 s", or empty.
   std::string divergence() const;
@@ -92,6 +93,8 @@ class RunHistory {
   double interval(std::size_t frame) const;
 
  private:
+  Capture capture_by_channel() const;
+
   const Recording* recording_;
   std::string name_;
 };

@@ -6,11 +6,10 @@
 #include <cmath>
 
 #include "engine/capture/simulation.h"
-#include "engine/control/closing_law.h"
 #include "engine/recording/background_recorder.h"
 #include "engine/recording/recording.h"
-#include "engine/scenario/pocket_outline.h"
 #include "engine/scenario/write_scenario.h"
+#include "engine/systems/capture_system.h"
 
 namespace netpocket {
 namespace {
@@ -142,8 +141,7 @@ RunOrigin run_origin(const Scenario& scenario, const RunOptions& options) {
   origin.command = options.command;
   origin.seed = scenario.solver.seed;
   origin.threads = options.threads;
-  origin.closing_end = ClosingSchedule(scenario.closing, open_tip_distance(scenario)).end();
-  if (scenario.towing.mode != TowingMode::none) origin.towing_start = scenario.towing.start;
+  origin.phases = capture_phases(scenario);
   return origin;
 }
 

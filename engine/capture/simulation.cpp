@@ -11,16 +11,12 @@
 #include <stdexcept>
 
 #include "engine/capture/channels.h"
-#include "engine/control/closing_law.h"
-#include "engine/control/closing_transition.h"
-#include "engine/control/towing.h"
+#include "engine/control/control_loop.h"
 #include "engine/dynamics/stepping/step_choice.h"
 #include "engine/dynamics/system/cable_system.h"
-#include "engine/math/symmetric_algebra.h"
 #include "engine/scenario/parameters.h"
 #include "engine/scenario/strategy.h"
-#include "engine/systems/pocket/material_changes.h"
-#include "engine/systems/pocket/pocket.h"
+#include "engine/systems/capture_system.h"
 
 namespace netpocket {
 namespace {
@@ -30,8 +26,6 @@ constexpr std::int64_t kFaultInterval = 256;
 constexpr std::int64_t kCopyInterval = 16 * kFaultInterval;
 // Longest interval (s) of steps of equal size.
 constexpr double kLongestInterval = 0.01;
-// Faster winding is named as the likely cause of a divergence. Ten times what a closing within 5 s needs.
-constexpr double kFastWinding = 30;  // m/s
 // The run has collapsed when its step is below this fraction of the first stable step. No meaningful motion gets there.
 constexpr double kCollapse = 1e-3;
 constexpr double kMostStepsOfInterval = 1e9;
@@ -58,40 +52,27 @@ SystemOptions system_options(const Scenario& scenario, const SimulationOptions& 
           options.threads};
 }
 
-double total_mass(const Model& model) {
-  double mass = model.cable_mass();
-  for (const ModelBody& body : model.bodies) mass += body.mass;
-  return mass;
-}
-
-ClosingState state_of(const RopeMotion& motion) { return {motion.length, motion.rate, motion.acceleration}; }
-
 }  // namespace
 
 struct Simulation::Impl {
   Impl(const Scenario& s, const SimulationOptions& options)
       : scenario(s),
-        pocket(build_pocket(s)),
-        system(std::move(pocket.model), system_options(s, options)),
-        drive(s.towing, s.spacecraft.station_keeping, total_mass(system.model())),
-        material_changes(pocket, system, s),
-        channels(pocket),
-        step_choice(system),
-        winding(system.model().ropes.front().motion) {
+        capture_system(build_capture_system(s)),
+        system(std::move(capture_system.model), system_options(s, options)),
+        controls(system),
+        channels(capture_system.spacecraft, capture_system.target),
+        step_choice(system) {
+    for (SystemController& c : capture_system.controllers) controls.add(std::move(c.controller), c.period);
     perturb();
   }
 
   Scenario scenario;
-  Pocket pocket;  // its model has been moved to `system`
+  CaptureSystem capture_system;  // its model has been moved to `system`, its controllers to `controls`
   CableSystem system;
-  SpacecraftDrive drive;
-  MaterialChanges material_changes;
+  ControlLoop controls;
   ChannelRecorder channels;
   StepChoice step_choice;
-  std::function<RopeMotion(double)> winding;  // present law of all closing ropes
-  double closing_changed = -1;                // s, time of the last change of the closing law; negative: never changed
-  ClosingState closing_then{};                // state of the ropes at closing_changed
-  double time_step = 0;                       // s, of the present interval
+  double time_step = 0;        // s, of the present interval
   std::int64_t interval = -1;  // index of the present interval; an output interval has one or more; -1: none begun
   std::int64_t interval_steps = 1, steps_in_interval = 0;
   double wall = 0, cpu = 0;
@@ -117,37 +98,15 @@ struct Simulation::Impl {
 
   // Changes to the strategy of another scenario at the present time.
   void adopt(const Scenario& next) {
-    const bool closing_changes = std::ranges::any_of(
-        parameters(), [&](const Parameter& p) { return p.group() == "closing" && !(p.get(next) == p.get(scenario)); });
     scenario = next;
     sound_state.clear();  // the steps since then cannot be repeated with the new strategy
-    drive.change(next.towing, next.spacecraft.station_keeping, system.time());
-    material_changes.change(next, system.time());
-    if (!closing_changes) return;
-    closing_then = state_of(winding(system.time()));
-    closing_changed = system.time();
-    follow_changed_closing();
-  }
-
-  // Leads the ropes from their motion at the change to the law of the present scenario.
-  void follow_changed_closing() {
-    const double open = system.model().ropes.front().motion(0).length;
-    winding = [transition = ClosingTransition(ClosingSchedule(scenario.closing, open), closing_changed, closing_then)](
-                  double time) {
-      const ClosingState state = transition.at(time);
-      return RopeMotion{state.length, state.speed, state.acceleration};
-    };
-    system.set_rope_motion(winding);
+    controls.change(next);
   }
 
   void visit_state(const std::function<void(double&)>& visit) {
-    material_changes.visit_state(visit);
     system.visit_state(visit);
+    controls.visit_state(visit);
     channels.visit_state(visit);
-    drive.visit_state(visit);
-    for (double* value : {&closing_changed, &closing_then.length, &closing_then.speed, &closing_then.acceleration}) {
-      visit(*value);
-    }
     step_choice.visit_state(visit);
     const auto visit_count = [&](std::int64_t& count) {
       double value = static_cast<double>(count);
@@ -182,7 +141,7 @@ struct Simulation::Impl {
 
   // Step (s) for an interval that ends at `end` (s).
   double chosen_step(double end) {
-    const double step = scenario.solver.safety * step_choice.stable_step(winding, end);
+    const double step = scenario.solver.safety * step_choice.stable_step(controls.shortest_lengths(end));
     if (interval > 0) return step;
     // Initial displacements may have put energy into waves that are too short for the step.
     StepLimiter& limiter = step_choice.limiter();
@@ -223,14 +182,12 @@ struct Simulation::Impl {
   void set_state(std::span<const double> values) {
     std::size_t next = 0;
     visit_state([&](double& value) { value = values[next++]; });
-    if (closing_changed >= 0) follow_changed_closing();
     defect.clear();
   }
 
   void step() {
     if (interval < 0 || steps_in_interval == interval_steps) begin_interval();
-    material_changes.apply(system.time());
-    system.control(pocket.spacecraft, drive.at(system.time(), system.motion(pocket.spacecraft)));
+    controls.before_step(time_step);
     const auto unresolved = [this] {
       const SafeguardCounts& counts = system.safeguards();
       return counts.stopped_blows + counts.unresolved_contacts + counts.stopped_cords;
@@ -239,7 +196,7 @@ struct Simulation::Impl {
     StepLimiter& limiter = step_choice.limiter();
     if (scenario.solver.time_step == 0 && limiter.factor() < 1) system.note_shortened_step();
     system.step(time_step);
-    drive.note_step(system.exerted(pocket.spacecraft), system.motion(pocket.spacecraft), time_step);
+    controls.after_step(time_step);
     limiter.note_penetration(system.penetration());
     const bool is_unresolved = unresolved() > unresolved_before;
     if (is_unresolved) limiter.note_unresolved_contacts();
@@ -303,34 +260,17 @@ struct Simulation::Impl {
 
   Snapshot snapshot() {
     Snapshot result;
-    result.channel_list = pocket.structure.channels;
+    result.channel_list = capture_system.structure.channels;
     result.channels.assign(result.channel_list->size(), 0.0);
     const EnergyAudit energy = system.capture(result);
-    channels.fill(result, pocket.structure, system, energy, time_step);
+    channels.fill(result, system, energy, time_step);
+    if (capture_system.fill_channels) capture_system.fill_channels(system, result);
     return result;
-  }
-
-  // Largest speed (m/s) of the closing ropes up to now.
-  double fastest_winding() const {
-    const ClosingSchedule schedule(scenario.closing, system.model().ropes.front().motion(0).length);
-    const double start = schedule.start(), end = std::min(schedule.end(), system.time());
-    constexpr int kLooks = 1000;
-    double fastest = 0;
-    for (int i = 0; i <= kLooks && end > start; ++i) {
-      fastest = std::max(fastest, std::abs(winding(start + (end - start) * i / kLooks).rate));
-    }
-    return fastest;
   }
 
   // A likely remedy for a divergence.
   std::string advice() const {
-    const double speed = fastest_winding();
-    if (speed > kFastWinding) {
-      return fmt::format(
-          "the likely cause is the closing, which winds ropes at up to {:.3g} m/s: close more slowly "
-          "(closing.duration is {:g} s)",
-          speed, scenario.closing.duration);
-    }
+    if (const std::string suspicion = controls.suspicion(); !suspicion.empty()) return suspicion;
     if (scenario.solver.time_step > 0) return fmt::format("try a solver.time_step below {:.3g} s", failed_step_size);
     return fmt::format("try solver.safety below {}", scenario.solver.safety);
   }
@@ -349,7 +289,7 @@ Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 const Scenario& Simulation::scenario() const { return impl_->scenario; }
-const Structure& Simulation::structure() const { return impl_->pocket.structure; }
+const Structure& Simulation::structure() const { return impl_->capture_system.structure; }
 double Simulation::time() const { return impl_->system.time(); }
 
 RunStatus Simulation::advance(double until, const std::stop_token& stop) {
@@ -384,9 +324,9 @@ Snapshot Simulation::snapshot() {
 std::vector<std::string> Simulation::change_strategy(const Scenario& wanted) {
   std::vector<std::string> need_restart;
   Scenario next = scenario();
-  for (const Parameter& parameter : parameters()) {
+  for (const Parameter& parameter : parameters(next.system)) {
     if (parameter.get(wanted) == parameter.get(next)) continue;
-    if (acts_at_once(parameter.key)) {
+    if (acts_at_once(parameter.key, next.system)) {
       parameter.set(next, parameter.get(wanted));
     } else {
       need_restart.emplace_back(parameter.key);

@@ -48,8 +48,21 @@ double SpacecraftDrive::Guide::at(int axis, double time, double wanted, double p
   return rate[axis] + (wanted - rate[axis]) * progress + swing;
 }
 
-SpacecraftDrive::SpacecraftDrive(const TowingParameters& towing, StationKeeping station_keeping, double total_mass)
-    : towing_(towing), station_keeping_(station_keeping), total_mass_(total_mass) {}
+SpacecraftDrive::SpacecraftDrive(const TowingParameters& towing, StationKeeping station_keeping, double total_mass,
+                                 std::int32_t spacecraft)
+    : towing_(towing), station_keeping_(station_keeping), total_mass_(total_mass), spacecraft_(spacecraft) {}
+
+void SpacecraftDrive::update(const Measurements& measurements, double /*interval*/, Commands& commands) {
+  commands.body(spacecraft_) = at(measurements.time(), measurements.motion(spacecraft_));
+}
+
+void SpacecraftDrive::after_step(const Measurements& measurements, double dt) {
+  note_step(measurements.exerted(spacecraft_), measurements.motion(spacecraft_), dt);
+}
+
+void SpacecraftDrive::change(const Scenario& scenario, double now) {
+  change(scenario.towing, scenario.spacecraft.station_keeping, now);
+}
 
 // Present force and torque. Where the motion is prescribed: the mean.
 Wrench SpacecraftDrive::acting() const {

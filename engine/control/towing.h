@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 
+#include "engine/control/controller.h"
 #include "engine/control/gradual_change.h"
 #include "engine/dynamics/assembly/dynamic_body.h"
 #include "engine/scenario/scenario.h"
@@ -24,10 +25,16 @@ namespace netpocket {
 // Changes during a run cause no blow. A motion that becomes prescribed (velocity, attitude) starts from the present
 // velocity and acceleration. It reaches the wanted value within the towing's duration or, if it is held, within 0.5 s.
 // A motion that is no longer prescribed, and every other force, changes from the present force and moment within 0.5 s.
-class SpacecraftDrive {
+class SpacecraftDrive : public Controller {
  public:
-  // `total_mass` in kg.
-  SpacecraftDrive(const TowingParameters& towing, StationKeeping station_keeping, double total_mass);
+  // `total_mass`: kg. `spacecraft`: index of the body.
+  SpacecraftDrive(const TowingParameters& towing, StationKeeping station_keeping, double total_mass,
+                  std::int32_t spacecraft = 0);
+
+  void update(const Measurements& measurements, double interval, Commands& commands) override;
+  void after_step(const Measurements& measurements, double dt) override;
+  void change(const Scenario& scenario, double now) override;
+  void visit_state(const std::function<void(double&)>& visit) override;
 
   // Changes the control from `now` (s) on.
   void change(const TowingParameters& towing, StationKeeping station_keeping, double now);
@@ -37,8 +44,6 @@ class SpacecraftDrive {
   // To be called after the step of `dt` (s) with that control. `exerted`: what the control exerted in the step;
   // `craft`: the present motion.
   void note_step(const Wrench& exerted, const RigidMotion& craft, double dt);
-
-  void visit_state(const std::function<void(double&)>& visit);
 
  private:
   // A prescribed velocity or angular velocity, in world axes.
@@ -62,6 +67,7 @@ class SpacecraftDrive {
   TowingParameters towing_;
   StationKeeping station_keeping_;
   double total_mass_;
+  std::int32_t spacecraft_;
   double changed_ = -kChangeDuration;  // s, time of the last change
   Wrench released_;                    // acted at changed_; fades to zero while the new control grows
   Guide tow_, lateral_, attitude_;

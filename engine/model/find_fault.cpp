@@ -152,8 +152,10 @@ class FaultSearch {
         const ModelElement &last = model_.elements[rope.elements[i - 1]], &element = model_.elements[rope.elements[i]];
         if (last.node2 != element.node1) return "has elements that do not follow each other";
       }
-      if (!rope.motion) return "has no law of motion";
-      if (!is_positive(rope.motion(0).length)) return "has no length at the start";
+      if (!is_positive(rope.motion.length)) return "has no length at the start";
+      if (!std::isfinite(rope.motion.rate) || !std::isfinite(rope.motion.acceleration)) {
+        return "has a rate or acceleration that is not finite";
+      }
       if (!(rope.share_at_start >= 0 && rope.share_at_start <= 1)) return "has a share at its start outside 0 to 1";
       return "";
     });

@@ -10,7 +10,6 @@
 // index of the part runs fastest (node = local * parts + part). Then the kernels read eight parts without gathering.
 
 #include <Eigen/Core>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -103,20 +102,20 @@ struct ContactSettings {
 };
 
 struct RopeMotion {
-  double length;        // m, material between the retractors
-  double rate;          // m/s
-  double acceleration;  // m/s^2
+  double length = 0;        // m, material between the retractors
+  double rate = 0;          // m/s
+  double acceleration = 0;  // m/s^2
 
   bool operator==(const RopeMotion&) const = default;
 };
 
 // A chain of elements whose material is wound in or out by retractors at its end nodes. Its inner nodes stay evenly
-// spaced along the material. The mass of wound-up material is added to the end nodes.
+// spaced along the material. The mass of wound-up material is added to the end nodes. The length is state: a rope keeps
+// its rate and acceleration until a run winds it otherwise (CableSystem::wind).
 struct VariableRope {
-  std::vector<std::int32_t> elements;             // indices into Model::elements, from one end to the other
-  std::function<RopeMotion(double time)> motion;  // pure function of time
-  double share_at_start = 0.5;                    // fraction of the winding done by the retractor at the first node
-  std::int32_t same_motion_as = -1;               // earlier rope with the same motion, to save calls; -1: none known
+  std::vector<std::int32_t> elements;  // indices into Model::elements, from one end to the other
+  RopeMotion motion;                   // at the start
+  double share_at_start = 0.5;         // fraction of the winding done by the retractor at the first node
 };
 
 struct Model {

@@ -7,7 +7,7 @@ namespace netpocket {
 
 namespace {
 
-constexpr char kGroup[] = "/outcome";
+constexpr char kOutcomeGroup[] = "/outcome";
 constexpr std::size_t kTextBytes = 4096;
 
 struct Field {
@@ -53,7 +53,7 @@ RunReason reason_named(const std::string& name) {
   throw Hdf5Error("the run ended for an unknown reason");
 }
 
-std::string at(const Field& field) { return std::string(kGroup) + "/" + field.name; }
+std::string at(const Field& field) { return std::string(kOutcomeGroup) + "/" + field.name; }
 
 double read_number(const InputFile& file, const Field& field) {
   const auto values = read_array<double>(file, at(field));
@@ -70,7 +70,7 @@ T whole(double value, double limit) {
 
 }  // namespace
 
-OutcomeTables::OutcomeTables(hid_t file, ChunkCodec& codec) : group_(create_group(file, kGroup)) {
+OutcomeTables::OutcomeTables(hid_t file, ChunkCodec& codec) : group_(create_group(file, kOutcomeGroup)) {
   const Handle text = text_type(kTextBytes);
   for (const Field& f : kTexts)
     texts_.emplace_back(group_.get(), text.get(), TableLayout{f.name, f.unit, f.help}, codec);

@@ -12,6 +12,7 @@
 #include "engine/recording/checkpoint_io.h"
 #include "engine/recording/frame_tables.h"
 #include "engine/recording/layout.h"
+#include "engine/recording/origin_io.h"
 #include "engine/recording/outcome_io.h"
 #include "engine/recording/output_file.h"
 #include "engine/recording/structure_io.h"
@@ -36,20 +37,6 @@ Handle create_file(const std::string& path) {
   checked(H5Pset_file_space_strategy(creation.get(), H5F_FSPACE_STRATEGY_PAGE, false, 1), "describe the file");
   checked(H5Pset_file_space_page_size(creation.get(), kPage), "describe the file");
   return Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()), H5Fclose, "create the file");
-}
-
-void write_origin(hid_t file, const RunOrigin& origin, ChunkCodec& codec) {
-  write_attribute(file, "format", std::string(layout::kFormat));
-  write_attribute(file, "format_version", std::int64_t{layout::kVersion});
-  write_attribute(file, "netpocket_version", origin.netpocket_version);
-  write_attribute(file, "commit", origin.commit);
-  write_attribute(file, "seed", std::int64_t{origin.seed});
-  write_attribute(file, "threads", std::int64_t{origin.threads});
-  write_attribute(file, "closing_end", origin.closing_end);
-  write_attribute(file, "towing_start", origin.towing_start);
-  write_texts(file, {"scenario_name", "", "name of the scenario"}, {origin.scenario_name}, codec);
-  write_texts(file, {"scenario", "", "the scenario as run, TOML"}, {origin.scenario_text}, codec);
-  write_texts(file, {"command", "", "command line, or workbench"}, {origin.command}, codec);
 }
 
 }  // namespace
@@ -113,6 +100,8 @@ void Recorder::Impl::create(const RunOrigin& origin, const Structure& model) {
   structure = model;
   file = create_file(output.working_path());
   output.ensure_room(0);
+  write_attribute(file.get(), "format", std::string(layout::kFormat));
+  write_attribute(file.get(), "format_version", std::int64_t{layout::kVersion});
   write_origin(file.get(), origin, codec);
   write_structure(file.get(), structure, codec);
   frames.emplace(file.get(), structure, codec);

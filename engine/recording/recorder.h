@@ -3,12 +3,13 @@
 // Thread contract: one thread at a time. Errors: FileError with one sentence that names the file; RecordingError for
 // data that no recording can hold.
 
-#include <limits>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "engine/base/file_error.h"
 #include "engine/state/checkpoint.h"
+#include "engine/state/phase.h"
 #include "engine/state/run_status.h"
 #include "engine/state/snapshot.h"
 #include "engine/state/structure.h"
@@ -30,8 +31,7 @@ struct RunOrigin {
   std::string command;  // command line or "workbench"
   int seed = 0;
   int threads = 1;
-  double closing_end = std::numeric_limits<double>::quiet_NaN();   // s, end of the closing law; NaN: unknown
-  double towing_start = std::numeric_limits<double>::quiet_NaN();  // s; NaN: no towing
+  std::vector<Phase> phases;  // of the capture, as planned
 };
 
 class Recorder {

@@ -12,18 +12,13 @@
 #include "engine/recording/checkpoint_io.h"
 #include "engine/recording/hdf5_input.h"
 #include "engine/recording/layout.h"
+#include "engine/recording/origin_io.h"
 #include "engine/recording/outcome_io.h"
 #include "engine/recording/structure_io.h"
 
 namespace netpocket {
 
 namespace {
-
-std::string read_text(const InputFile& file, const std::string& path) {
-  const auto texts = read_texts(file, path);
-  if (texts.size() != 1) throw Hdf5Error(path + " has the wrong length");
-  return texts[0];
-}
 
 // Checks the format and returns its version.
 std::int32_t check_format(const InputFile& file) {
@@ -40,20 +35,6 @@ std::int32_t check_format(const InputFile& file) {
                                 layout::kVersionWithKinds, layout::kVersion));
   }
   return version;
-}
-
-RunOrigin read_origin(const InputFile& file) {
-  RunOrigin origin;
-  origin.scenario_name = read_text(file, "/scenario_name");
-  origin.scenario_text = read_text(file, "/scenario");
-  origin.command = read_text(file, "/command");
-  origin.netpocket_version = file.read_text_attribute("/", "netpocket_version");
-  origin.commit = file.read_text_attribute("/", "commit");
-  origin.seed = file.read_count_attribute("/", "seed");
-  origin.threads = file.read_count_attribute("/", "threads");
-  origin.closing_end = file.read_number_attribute("/", "closing_end");
-  origin.towing_start = file.read_number_attribute("/", "towing_start");
-  return origin;
 }
 
 std::vector<std::string> divided(const std::string& text, char separator) {

@@ -14,7 +14,7 @@ namespace netpocket {
 
 namespace {
 
-constexpr char kGroup[] = "/structure";
+constexpr char kStructureGroup[] = "/structure";
 
 enum ShapeKind : std::uint8_t { kSphere, kBox, kCylinder, kSatellite, kMesh };
 
@@ -166,7 +166,7 @@ void write_node_groups(hid_t group, const std::vector<NodeGroup>& groups, ChunkC
   write_array(group, {"node_group_nodes", "", "nodes of all groups, one after the other"}, nodes, codec);
 }
 
-std::string at(const char* name) { return std::string(kGroup) + "/" + name; }
+std::string at(const char* name) { return std::string(kStructureGroup) + "/" + name; }
 
 template <typename T>
 std::vector<T> read_rows(const InputFile& file, const char* name, std::size_t rows,
@@ -346,7 +346,7 @@ std::string find_fault(const Structure& structure) {
 }
 
 void write_structure(hid_t file, const Structure& structure, ChunkCodec& codec) {
-  const Handle group = create_group(file, kGroup);
+  const Handle group = create_group(file, kStructureGroup);
   write_attribute(group.get(), "node_count", std::int64_t{structure.node_count});
   write_attribute(group.get(), "gradient_count", std::int64_t{structure.gradient_count});
   write_attribute(group.get(), "rope_count", std::int64_t{structure.rope_count});
@@ -359,9 +359,9 @@ void write_structure(hid_t file, const Structure& structure, ChunkCodec& codec) 
 
 Structure read_structure(const InputFile& file, std::int32_t version) {
   Structure structure;
-  structure.node_count = file.read_count_attribute(kGroup, "node_count");
-  structure.gradient_count = file.read_count_attribute(kGroup, "gradient_count");
-  structure.rope_count = file.read_count_attribute(kGroup, "rope_count");
+  structure.node_count = file.read_count_attribute(kStructureGroup, "node_count");
+  structure.gradient_count = file.read_count_attribute(kStructureGroup, "gradient_count");
+  structure.rope_count = file.read_count_attribute(kStructureGroup, "rope_count");
   structure.elements = read_elements(file, version);
   structure.element_groups = read_element_groups(file, version);
   structure.node_groups = read_node_groups(file, version);

@@ -12,8 +12,9 @@ inline constexpr double kLargestElementCount = 2e6;
 inline constexpr double kLargestFrameCount = 1e6;
 
 // Problems of a scenario. First checks each parameter against its limits. If these hold, checks the parameters against
-// each other: rods, closing, inertia, sizes of mesh and recording, and whether target and spacecraft start clear of the
-// pocket and of each other. A scenario that passes can be simulated. Thread contract: any thread may call it.
+// each other: inertia, the target's shape, the size of the recording, and what the kind of capture system checks; for a
+// pocket rods, closing, size of the mesh, and whether target and spacecraft start clear of the pocket and of each
+// other. A scenario that passes can be simulated. Thread contract: any thread may call it.
 Diagnostics check_scenario(const Scenario& scenario);
 
 }  // namespace netpocket

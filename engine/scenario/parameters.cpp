@@ -1,11 +1,10 @@
-#include "engine/scenario/parameters.h"
-
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 #include <type_traits>
 #include <utility>
 
-#include "engine/base/edit_distance.h"
+#include "engine/scenario/shared_parameters.h"
 
 namespace netpocket {
 namespace {
@@ -78,8 +77,32 @@ constexpr Parameter parameter(std::string_view key, Limits limits, std::string_v
           .help = help,
           .source = source,
           .choices = kNames<T>,
-          .get = [](const Scenario& scenario) { return to_value(member<Path...>(scenario)); },
-          .set = [](Scenario& scenario, const ParameterValue& value) { assign(member<Path...>(scenario), value); }};
+          .read = [](const Scenario& scenario, const Parameter&) { return to_value(member<Path...>(scenario)); },
+          .write = [](Scenario& scenario, const Parameter&,
+                      const ParameterValue& value) { assign(member<Path...>(scenario), value); }};
+}
+
+ParameterValue read_system(const Scenario& scenario, const Parameter& parameter) {
+  const auto found = std::ranges::find(parameter.choices, scenario.system);
+  if (found == parameter.choices.end()) throw std::invalid_argument("no kind of capture system is " + scenario.system);
+  return Choice{static_cast<int>(found - parameter.choices.begin())};
+}
+
+void write_system(Scenario& scenario, const Parameter& parameter, const ParameterValue& value) {
+  scenario.system = parameter.choices[static_cast<std::size_t>(std::get<Choice>(value).index)];
+}
+
+// The kinds of capture systems. The table of each kind gets the names of all.
+constexpr Parameter kind_of_system(std::string_view key, std::string_view help, std::string_view source) {
+  return {.key = key,
+          .type = ParameterType::choice,
+          .limits = {},
+          .unit = "",
+          .help = help,
+          .source = source,
+          .choices = {},
+          .read = read_system,
+          .write = write_system};
 }
 
 constexpr Limits within(double minimum, double maximum) { return {minimum, maximum}; }
@@ -116,7 +139,7 @@ constexpr auto kModulusSource = "paper, Table 2, printed without unit, taken as 
 constexpr auto kRopeSource = "assumption: as the net"sv;
 
 constexpr std::array kGroups = {
-    ParameterGroup{"", "Scenario", "What the scenario is called."},
+    ParameterGroup{"", "Scenario", "What the scenario is called, and what kind of system it describes."},
     ParameterGroup{"pocket", "Pocket", "Rods and meshes of the netted pocket."},
     ParameterGroup{"net", "Net cords", "Material of the net's cords."},
     ParameterGroup{"rope", "Closing ropes", "Material of the ropes between adjacent rod tips."},
@@ -136,6 +159,7 @@ constexpr std::array kGroups = {
 constexpr std::array kParameters = {
     parameter<&S::name>("name", within(1, 100), "", "name of the scenario, on figures and in tables; default: the file's name", "user's choice"),
     parameter<&S::description>("description", within(0, 2000), "", "what the scenario shows", "user's choice"),
+    kind_of_system("system", "kind of capture system; it decides which tables a scenario has", "user's choice"),
 
     parameter<kPocket, &Pocket::rod_count>("pocket.rod_count", within(3, 64), "", "rods, on a regular polygon", "paper, section 2"),
     parameter<kPocket, &Pocket::mesh_columns>("pocket.mesh_columns", within(1, 100), "", "cells across a panel at the kink; also rows of its triangular part", kAssumption),
@@ -233,73 +257,10 @@ constexpr std::array kParameters = {
 };
 // clang-format on
 
-// Candidate with the lowest score, if that is low enough for a typing error.
-template <typename Candidates, typename NameOf, typename Score>
-std::optional<std::string_view> nearest(const Candidates& candidates, NameOf name_of, std::string_view unknown,
-                                        Score score) {
-  if (unknown.empty() || unknown.size() > kLongestComparedName) return std::nullopt;
-  std::string_view best;
-  auto lowest = std::pair(largest_slip(unknown) + 1, std::size_t{0});
-  for (const auto& candidate : candidates) {
-    const std::string_view name = name_of(candidate);
-    if (const auto now = score(name); now < lowest) {
-      lowest = now;
-      best = name;
-    }
-  }
-  return best.empty() ? std::nullopt : std::optional(best);
-}
-
-std::string_view last_part(std::string_view key) { return key.substr(key.rfind('.') + 1); }
-
 }  // namespace
 
-std::span<const Parameter> parameters() { return kParameters; }
+std::span<const Parameter> shared_parameters() { return kParameters; }
 
-std::span<const ParameterGroup> parameter_groups() { return kGroups; }
-
-std::span<const Parameter> parameters_of(const ParameterGroup& group) {
-  const auto belongs = [&](const Parameter& p) { return p.group() == group.name; };
-  const auto first = std::find_if(kParameters.begin(), kParameters.end(), belongs);
-  return {first, std::find_if_not(first, kParameters.end(), belongs)};
-}
-
-bool is_retired_parameter(std::string_view key) {
-  // Until version 0.1 cords had contact at a few sample points only; now their whole length has.
-  return key == "contact.samples_per_element";
-}
-
-const Parameter* find_parameter(std::string_view key) {
-  const auto found = std::find_if(kParameters.begin(), kParameters.end(), [&](const auto& p) { return p.key == key; });
-  return found == kParameters.end() ? nullptr : &*found;
-}
-
-const ParameterGroup* find_parameter_group(std::string_view name) {
-  const auto found = std::find_if(kGroups.begin(), kGroups.end(), [&](const auto& g) { return g.name == name; });
-  return found == kGroups.end() ? nullptr : &*found;
-}
-
-std::optional<std::string_view> nearest_parameter_key(std::string_view unknown) {
-  // The right name in the wrong table is a likely error too. The nearer table breaks ties.
-  constexpr std::size_t kWrongTable = 2;
-  const auto score = [&](std::string_view key) {
-    const std::size_t whole = edit_distance(unknown, key);
-    return std::pair(std::min(whole, edit_distance(last_part(unknown), last_part(key)) + kWrongTable), whole);
-  };
-  return nearest(
-      kParameters, [](const Parameter& p) { return p.key; }, unknown, score);
-}
-
-std::optional<std::string_view> nearest_group_name(std::string_view unknown) {
-  const auto score = [&](std::string_view name) { return std::pair(edit_distance(unknown, name), std::size_t{0}); };
-  return nearest(
-      std::span(kGroups).subspan(1), [](const ParameterGroup& g) { return g.name; }, unknown, score);
-}
-
-std::optional<std::string_view> nearest_choice(const Parameter& parameter, std::string_view unknown) {
-  const auto score = [&](std::string_view name) { return std::pair(edit_distance(unknown, name), std::size_t{0}); };
-  return nearest(
-      parameter.choices, [](std::string_view name) { return name; }, unknown, score);
-}
+std::span<const ParameterGroup> shared_groups() { return kGroups; }
 
 }  // namespace netpocket

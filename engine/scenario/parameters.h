@@ -1,32 +1,18 @@
 #pragma once
-// The parameter table declares every parameter of a Scenario once. Reading, writing, range checks, "did you mean", the
-// editor's form and scenarios/REFERENCE.md all use it. Defaults are those of a default-constructed Scenario.
-// Thread contract: everything here is constant, so any thread may use it.
+// The parameter tables declare every parameter of a Scenario once. Reading, writing, range checks, "did you mean", the
+// editor's form and scenarios/REFERENCE.md all use them. Each kind of capture system has a table of its own
+// (system_parameters.h); functions without the name of a kind use the table of the pocket. Defaults are those of a
+// default-constructed Scenario.
+// Thread contract: everything here is constant once all kinds are registered, so any thread may use it.
 
-#include <Eigen/Core>
-#include <cstdint>
 #include <optional>
 #include <span>
-#include <string>
 #include <string_view>
-#include <variant>
-#include <vector>
 
+#include "engine/scenario/parameter_value.h"
 #include "engine/scenario/scenario.h"
 
 namespace netpocket {
-
-// In the order of the alternatives of ParameterValue.
-enum class ParameterType { number, integer, boolean, text, choice, vector, pairs };
-
-// Value of a parameter with named choices.
-struct Choice {
-  int index = 0;  // into Parameter::choices
-  bool operator==(const Choice&) const = default;
-};
-
-using ParameterValue =
-    std::variant<double, std::int64_t, bool, std::string, Choice, Eigen::Vector3d, std::vector<Eigen::Vector2d>>;
 
 // Limits of a number, of each number of a vector or list of pairs, or of the length of a text (characters).
 struct Limits {
@@ -49,11 +35,15 @@ struct Parameter {
   std::string_view source;  // source of the default; "paper" is Tang et al. 2023
   std::span<const std::string_view> choices;
 
+  ParameterValue (*read)(const Scenario&, const Parameter&);
+  void (*write)(Scenario&, const Parameter&, const ParameterValue&);
+  ParameterValue (*initial)() = nullptr;  // default of a parameter that a Scenario keeps by its key; else null
+
   // Gets the value from a scenario.
-  ParameterValue (*get)(const Scenario&);
+  ParameterValue get(const Scenario& scenario) const { return read(scenario, *this); }
   // Sets the value in a scenario. It must hold the alternative of `type` (else throws std::bad_variant_access) and be
   // within the limits.
-  void (*set)(Scenario&, const ParameterValue&);
+  void set(Scenario& scenario, const ParameterValue& value) const { write(scenario, *this, value); }
 
   constexpr std::string_view group() const {
     const auto dot = key.find('.');
@@ -72,21 +62,25 @@ struct ParameterGroup {
   std::string_view help;   // one sentence
 };
 
-// All parameters, group by group in the order of the groups.
-std::span<const Parameter> parameters();
-std::span<const ParameterGroup> parameter_groups();
-std::span<const Parameter> parameters_of(const ParameterGroup& group);
+inline constexpr std::string_view kPocketSystem = "pocket";
+
+// All parameters of a kind of capture system, group by group in the order of the groups. For a kind that does not
+// exist: those of the pocket.
+std::span<const Parameter> parameters(std::string_view system = kPocketSystem);
+std::span<const ParameterGroup> parameter_groups(std::string_view system = kPocketSystem);
+std::span<const Parameter> parameters_of(const ParameterGroup& group, std::string_view system = kPocketSystem);
 
 // Whether scenarios of earlier versions had this parameter. Such scenarios stay readable; the value has no effect.
 bool is_retired_parameter(std::string_view key);
 
 // Null when there is no such parameter or group.
-const Parameter* find_parameter(std::string_view key);
-const ParameterGroup* find_parameter_group(std::string_view name);
+const Parameter* find_parameter(std::string_view key, std::string_view system = kPocketSystem);
+const ParameterGroup* find_parameter_group(std::string_view name, std::string_view system = kPocketSystem);
 
 // The existing key, group name or choice that the author of `unknown` most likely meant; nothing when none is similar.
-std::optional<std::string_view> nearest_parameter_key(std::string_view unknown);
-std::optional<std::string_view> nearest_group_name(std::string_view unknown);
+std::optional<std::string_view> nearest_parameter_key(std::string_view unknown,
+                                                      std::string_view system = kPocketSystem);
+std::optional<std::string_view> nearest_group_name(std::string_view unknown, std::string_view system = kPocketSystem);
 std::optional<std::string_view> nearest_choice(const Parameter& parameter, std::string_view unknown);
 
 }  // namespace netpocket

@@ -56,7 +56,11 @@ class FileReader {
   explicit FileReader(Scenario& scenario) : scenario_(scenario) {}
 
   void read(const toml::table& file) {
-    for (const auto& [key, node] : file) read_top(key.str(), node);
+    // The kind of the system decides which tables there are.
+    if (const toml::node* system = file.get("system")) read_parameter("system", *system);
+    for (const auto& [key, node] : file) {
+      if (key.str() != "system") read_top(key.str(), node);
+    }
   }
 
   // Sorted by line, with the name of the file.
@@ -82,11 +86,12 @@ class FileReader {
   };
 
   void read_top(std::string_view key, const toml::node& node) {
-    if (find_parameter_group(key) && !key.empty()) {
+    if (find_parameter_group(key, scenario_.system) && !key.empty()) {
       read_group(key, node);
-    } else if (node.is_table() && !find_parameter(key)) {
-      report(node, key,
-             [name = std::string(key)] { return unknown_text("a table of a scenario", nearest_group_name(name)); });
+    } else if (node.is_table() && !find_parameter(key, scenario_.system)) {
+      report(node, key, [this, name = std::string(key)] {
+        return unknown_text(kind_text("a table of a scenario"), nearest_group_name(name, scenario_.system));
+      });
     } else {
       read_parameter(std::string(key), node);
     }
@@ -104,10 +109,12 @@ class FileReader {
   }
 
   void read_parameter(const std::string& key, const toml::node& node) {
-    const Parameter* parameter = find_parameter(key);
+    const Parameter* parameter = find_parameter(key, scenario_.system);
     if (is_retired_parameter(key)) return;
     if (!parameter) {
-      report(node, key, [key] { return unknown_text("a parameter", nearest_parameter_key(key)); });
+      report(node, key, [this, key] {
+        return unknown_text(kind_text("a parameter"), nearest_parameter_key(key, scenario_.system));
+      });
       return;
     }
     const auto value = parameter_value(*parameter, node);
@@ -116,6 +123,12 @@ class FileReader {
     } else {
       parameter->set(scenario_, std::get<ParameterValue>(value));
     }
+  }
+
+  // For kinds other than the default: "a parameter of the system 'thrown_net'".
+  std::string kind_text(std::string_view what) const {
+    if (scenario_.system == kPocketSystem) return std::string(what);
+    return fmt::format("{} of the system '{}'", what, scenario_.system);
   }
 
   void report(const toml::node& node, std::string_view key, std::function<std::string()> message) {
@@ -234,9 +247,10 @@ Diagnostics apply_setting(Scenario& scenario, std::string_view setting) {
     return single({.message = fmt::format("a setting is written key=value, not {}", excerpt(setting))});
   }
   const std::string_view key = trimmed(setting.substr(0, equals));
-  const Parameter* parameter = find_parameter(key);
+  const Parameter* parameter = find_parameter(key, scenario.system);
   if (!parameter) {
-    return single({.message = excerpt(key) + " " + unknown_text("a parameter", nearest_parameter_key(key))});
+    const auto nearest = nearest_parameter_key(key, scenario.system);
+    return single({.message = excerpt(key) + " " + unknown_text("a parameter", nearest)});
   }
   Diagnostics problems = set_parameter(scenario, *parameter, setting.substr(equals + 1));
   if (problems.ok() && key == "target.mesh_file") scenario.files.allows_absolute = true;

@@ -14,6 +14,8 @@ is the pocket's axis and the mouth opens towards +Y. "paper" is Tang, Deng, Bai,
 Netted Pocket System Capturing Non-Cooperative Target, Appl. Sci. 2023, 13, 10377; where it is silent the value is an
 assumption.
 
+`system` names the kind of capture system. This page is about `pocket`, the netted pocket.
+
 This file is generated from the parameter table in engine/scenario/parameters.cpp. A test compares the two;
 `NETPOCKET_RENEW=1 build/tests/test_scenario --gtest_filter='Reference.*'` writes it anew.
 )";

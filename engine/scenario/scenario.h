@@ -4,9 +4,13 @@
 // its TOML key, unit, limits, help and source. The defaults here are those of scenarios/case1.toml.
 
 #include <Eigen/Core>
+#include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
+
+#include "engine/scenario/parameter_value.h"
 
 namespace netpocket {
 
@@ -102,6 +106,8 @@ struct ClosingParameters {
   double closed_length = 2.1;          // m, rope length between adjacent tips when closed
   std::vector<Eigen::Vector2d> table;  // (t in s after start, L in m), for law = table
   int elements = 2;                    // variable-length elements per rope
+
+  friend bool operator==(const ClosingParameters&, const ClosingParameters&) = default;
 };
 
 struct TowingParameters {
@@ -148,6 +154,7 @@ struct FileScope {
 struct Scenario {
   std::string name = "case1";
   std::string description;
+  std::string system = "pocket";  // kind of the capture system (system_parameters.h)
   PocketParameters pocket;
   CordParameters net;
   CordParameters rope;  // closing ropes
@@ -159,6 +166,8 @@ struct Scenario {
   TowingParameters towing;
   SolverParameters solver;
   OutputParameters output;
+  // Parameters that only another kind of system has, by key. Those left out have their defaults.
+  std::map<std::string, ParameterValue, std::less<>> own;
   FileScope files;
 };
 

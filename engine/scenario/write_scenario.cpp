@@ -18,9 +18,9 @@ std::string write_scenario_text(const Scenario& scenario) {
   std::string text =
       "# A Netpocket scenario, complete: [unit] meaning (source); \"paper\" is Tang et al., Appl. Sci. 2023, 13, "
       "10377.\n\n";
-  for (const ParameterGroup& group : parameter_groups()) {
+  for (const ParameterGroup& group : parameter_groups(scenario.system)) {
     if (!group.name.empty()) text += fmt::format("\n[{}]\n", group.name);
-    for (const Parameter& parameter : parameters_of(group)) {
+    for (const Parameter& parameter : parameters_of(group, scenario.system)) {
       const std::string value = toml_text(parameter, parameter.get(scenario));
       text += fmt::format("{:<32} {}\n", fmt::format("{} = {}", parameter.name(), value), comment(parameter));
     }

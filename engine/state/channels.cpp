@@ -1,5 +1,7 @@
 #include "engine/state/channels.h"
 
+#include <algorithm>
+#include <array>
 #include <stdexcept>
 
 namespace netpocket {
@@ -93,6 +95,22 @@ const std::shared_ptr<const ChannelList>& known_channels() {
 }
 
 const ChannelInfo& channel_info(Channel channel) { return (*known_channels())[static_cast<std::size_t>(channel)]; }
+
+std::vector<ChannelInfo> common_channels(bool spacecraft, bool target) {
+  constexpr std::array kOfPocket = {Channel::closing_length,   Channel::closing_speed,  Channel::commanded_length,
+                                    Channel::commanded_speed,  Channel::target_inside,  Channel::mouth_radius,
+                                    Channel::rope_tension_max, Channel::closing_tension};
+  std::vector<ChannelInfo> channels;
+  for (std::size_t c = 0; c < kKnownChannelCount; ++c) {
+    const auto channel = static_cast<Channel>(c);
+    const bool is_of_target = channel >= Channel::contact_fx && channel <= Channel::target_vz;
+    const bool is_of_spacecraft = channel >= Channel::spacecraft_x && channel <= Channel::spacecraft_vz;
+    if (std::ranges::count(kOfPocket, channel) > 0) continue;
+    if ((is_of_target && !target) || (is_of_spacecraft && !spacecraft)) continue;
+    channels.push_back(channel_info(channel));
+  }
+  return channels;
+}
 
 const char* to_string(ChannelKind kind) { return kKinds[static_cast<std::size_t>(kind)]; }
 

@@ -116,6 +116,9 @@ class ChannelList {
 // All channels of the enumeration `Channel`, in its order: the channels of a pocket.
 const std::shared_ptr<const ChannelList>& known_channels();
 const ChannelInfo& channel_info(Channel channel);
+// Those of them that any capture system has, whatever its kind. Channels of the spacecraft and of the target: if it has
+// these bodies.
+std::vector<ChannelInfo> common_channels(bool spacecraft, bool target);
 
 const char* to_string(ChannelKind kind);
 std::optional<ChannelKind> channel_kind(std::string_view text);

@@ -61,9 +61,9 @@ double* number_at(ParameterValue& value, const std::vector<std::size_t>& indices
 }
 
 Diagnostics apply_to_number(Scenario& scenario, const Setting& setting, const Place& place) {
-  const Parameter* parameter = find_parameter(place.parameter);
+  const Parameter* parameter = find_parameter(place.parameter, scenario.system);
   if (!parameter) {
-    const auto nearest = nearest_parameter_key(place.parameter);
+    const auto nearest = nearest_parameter_key(place.parameter, scenario.system);
     return single(setting.key, nearest ? fmt::format("is not a parameter; did you mean '{}'?", *nearest)
                                        : "is not a parameter; scenarios/REFERENCE.md lists them all");
   }

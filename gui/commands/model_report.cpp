@@ -12,7 +12,7 @@
 #include "engine/scenario/parameter_text.h"
 #include "engine/scenario/parameters.h"
 #include "engine/scenario/pocket_outline.h"
-#include "engine/systems/pocket/pocket.h"
+#include "engine/systems/capture_system.h"
 
 namespace netpocket {
 namespace {
@@ -42,6 +42,10 @@ std::string counts(const std::vector<Cables>& groups) {
 }
 
 std::string line(const char* label, const std::string& value) { return fmt::format("{:<15}{}\n", label, value); }
+
+bool has_table(const Scenario& scenario, std::string_view name) {
+  return find_parameter_group(name, scenario.system) != nullptr;
+}
 
 std::string choice_text(const Scenario& scenario, std::string_view key) {
   const Parameter& parameter = *find_parameter(key);
@@ -99,8 +103,8 @@ std::string inertia_line(const Scenario& scenario, const Eigen::Matrix3d& inerti
 std::string model_report(const Scenario& scenario) {
   const Simulation simulation(scenario);
   const RunStatistics statistics = simulation.statistics();
-  const Pocket pocket = build_pocket(scenario);
-  const std::vector<Cables> cables = cables_of(pocket.model);
+  const CaptureSystem system = build_capture_system(scenario);
+  const std::vector<Cables> cables = cables_of(system.model);
   const double frames = std::ceil(scenario.output.end_time * scenario.output.frame_rate);
   const double steps = frames * std::ceil(1 / (scenario.output.frame_rate * statistics.time_step));
 
@@ -109,12 +113,14 @@ std::string model_report(const Scenario& scenario) {
   text += line("elements", fmt::format("{}: {}", statistics.elements, counts(cables)));
   text += line("coordinates", fmt::format("{}", statistics.coordinates));
   text += line("evaluation", statistics.evaluation);
-  text += line("masses", masses(pocket.model, cables));
-  const ModelBody& target = pocket.model.bodies[pocket.target];
-  text += line("target", target_line(scenario, target.shape));
-  text += line("target inertia", inertia_line(scenario, target.inertia));
-  text += line("closing", closing(scenario));
-  text += line("towing", towing(scenario));
+  text += line("masses", masses(system.model, cables));
+  if (const auto* target = system.target >= 0 ? &system.model.bodies[static_cast<std::size_t>(system.target)] : nullptr;
+      target != nullptr && has_table(scenario, "target")) {
+    text += line("target", target_line(scenario, target->shape));
+    text += line("target inertia", inertia_line(scenario, target->inertia));
+  }
+  if (scenario.system == kPocketSystem) text += line("closing", closing(scenario));
+  if (has_table(scenario, "towing")) text += line("towing", towing(scenario));
   text +=
       line("step", fmt::format("{:.4g} s at the start, limited by {}", statistics.time_step, statistics.step_limit));
   text +=

@@ -167,7 +167,7 @@ void require_same_scenario(const ScenarioChoice& choice, const Scenario& recorde
     throw CommandError(ExitCode::usage, "--set needs a scenario; a resumed run keeps the one that was recorded");
   }
   const Scenario wanted = load_scenario(choice);
-  for (const Parameter& parameter : parameters()) {
+  for (const Parameter& parameter : parameters(recorded.system)) {
     if (parameter.key == "output.end_time" || parameter.get(wanted) == parameter.get(recorded)) continue;
     throw CommandError(ExitCode::bad_input, fmt::format("cannot resume \"{}\": {} is {} in \"{}\" and was {}", path,
                                                         parameter.key, toml_text(parameter, parameter.get(wanted)),

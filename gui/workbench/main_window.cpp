@@ -152,7 +152,7 @@ void MainWindow::connect_session() {
   // Known once the run has begun, and other ones with its strategy.
   connect(&runs, &RunLibrary::run_changed, this, [this](RunId id) {
     const Run* run = session_->runs().find(id);
-    if (run != nullptr) plots_->set_phases(plotted(id), run->series.closing_end, run->series.towing_start);
+    if (run != nullptr) plots_->describe(plotted(id), run->series);
   });
   connect(&runs, &RunLibrary::run_added, this, [this](RunId id) {
     const Run* run = session_->runs().find(id);
@@ -273,7 +273,7 @@ void MainWindow::show_preview(const PocketPreview& preview) {
       differing_keys(run->scenario, document_->scenario()).isEmpty()) {
     return;
   }
-  view_actions_->set_phases(std::nullopt);
+  view_actions_->set_phases({});
   if (session_->current()) viewport_->set_hint(tr("Edited scenario, not simulated yet"));
   viewport_->set_history(nullptr);
   viewport_->set_pocket(preview.structure, preview.snapshot);
@@ -286,7 +286,7 @@ void MainWindow::show_frame(const std::shared_ptr<const Snapshot>& snapshot) {
   // What is moved is the start of a capture, not a recorded moment of one.
   view_actions_->move_action()->setChecked(false);
   if (!viewport_->is_measuring()) viewport_->set_hint({});
-  view_actions_->set_phases(phase_times(run->scenario));
+  view_actions_->set_phases(run->series.phases);
   viewport_->set_pocket(run->structure, snapshot);
   viewport_->set_history(history_.of(*run, view_actions_->options()));
   if (second_view_) second_view_->refresh();

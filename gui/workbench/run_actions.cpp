@@ -7,8 +7,8 @@
 #include <QToolBar>
 #include <cmath>
 
+#include "engine/systems/capture_system.h"
 #include "gui/workbench/action_icons.h"
-#include "render/scene/scene_options.h"
 
 namespace netpocket {
 
@@ -103,8 +103,8 @@ void RunActions::run_to(Goal goal) {
   const Run* live = session_.live();
   const auto scenario = live ? std::optional(live->scenario) : scenario_();
   if (!scenario) return;
-  const PhaseTimes phases = phase_times(*scenario);
-  const double time = goal == Goal::closing_end ? phases.closing_end : phases.towing_start;
+  const std::vector<Phase> phases = capture_phases(*scenario);
+  const double time = goal == Goal::closing_end ? phase_end(phases, kClosing) : phase_begin(phases, kTowing);
   if (std::isfinite(time)) run_to(Resume{.until = time});
 }
 

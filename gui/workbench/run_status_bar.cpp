@@ -81,7 +81,9 @@ void RunStatusBar::show_run(const Run* run, std::size_t frame) {
   speed_->setText(tr("%1 × real time").arg(run->speed, 0, 'g', 3));
   step_->setText(step_text(run->statistics, run->series.channel(Channel::time_step)[last]));
   step_->setVisible(!step_->text().isEmpty());
-  contacts_->setText(tr("contacts: %1").arg(run->series.channel(Channel::contact_count)[last]));
+  const std::vector<double>& contacts = run->series.channel(Channel::contact_count);
+  contacts_->setVisible(last < contacts.size());
+  if (last < contacts.size()) contacts_->setText(tr("contacts: %1").arg(contacts[last]));
   energy_->setText(energy_text(run->series, last));
 }
 

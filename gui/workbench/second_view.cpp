@@ -107,7 +107,7 @@ void SecondView::set_options(const SceneOptions& options) {
 void SecondView::apply_options() {
   if (!isVisible()) return;
   SceneOptions options = options_;
-  if (const Run* run = session_.runs().find(runs_->currentData().toInt())) options.phases = phase_times(run->scenario);
+  if (const Run* run = session_.runs().find(runs_->currentData().toInt())) options.phases = run->series.phases;
   viewport_->set_options(options);
   refresh();
 }

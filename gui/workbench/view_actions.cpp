@@ -212,11 +212,8 @@ void ViewActions::add_display(QMenu& menu) {
   apply();
 }
 
-void ViewActions::set_phases(const std::optional<PhaseTimes>& phases) {
-  const auto same = [](const PhaseTimes& a, const PhaseTimes& b) {
-    return a.closing_start == b.closing_start && a.closing_end == b.closing_end && a.towing_start == b.towing_start;
-  };
-  if (phases.has_value() == options_.phases.has_value() && (!phases || same(*phases, *options_.phases))) return;
+void ViewActions::set_phases(const std::vector<Phase>& phases) {
+  if (phases == options_.phases) return;
   options_.phases = phases;
   apply();
 }

@@ -20,7 +20,7 @@ class ViewActions : public QObject {
 
   void fill(QMenu& menu, QToolBar& bar);
   // Puts what the run brings along into the options, e.g. the times of its phases.
-  void set_phases(const std::optional<PhaseTimes>& phases);
+  void set_phases(const std::vector<Phase>& phases);
   // Light or dark of the window has changed.
   void follow_theme();
   const SceneOptions& options() const { return options_; }

@@ -6,9 +6,12 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <optional>
 
 #include "engine/analysis/summary.h"
 #include "render/figures/axis_ticks.h"
+#include "render/figures/own_channels.h"
+#include "render/figures/phase_bands.h"
 #include "render/figures/rich_text.h"
 
 namespace netpocket {
@@ -35,41 +38,6 @@ Curve channel_curve(const RunSeries& run, Channel channel, FigureColour colour, 
   curve.colour = colour;
   curve.label = std::move(label);
   return curve;
-}
-
-double last_time(const RunSeries& run) { return run.times().empty() ? 0 : run.times().back(); }
-
-std::vector<PhaseBand> phases(double closing_end, double towing_start, double end) {
-  std::vector<PhaseBand> bands;
-  const bool knows_closing = std::isfinite(closing_end);
-  const bool tows = std::isfinite(towing_start) && towing_start < end;
-  if (tows) closing_end = std::min(closing_end, towing_start);
-  if (knows_closing) bands.push_back({0, closing_end, "closing", kClosingBlue});
-  if (knows_closing && closing_end < end) {
-    const double hold_end = tows ? towing_start : end;
-    if (hold_end > closing_end) bands.push_back({closing_end, hold_end, "hold", kGrey});
-  }
-  if (tows) bands.push_back({towing_start, end, "towing", kTowingRed});
-  return bands;
-}
-
-std::vector<PhaseBand> phases(const RunSeries& run) {
-  return phases(run.closing_end, run.towing_start, last_time(run));
-}
-
-// The value all runs agree on, else NaN.
-double common(const Runs& runs, double RunSeries::*value) {
-  if (runs.empty()) return NAN;
-  const double first = runs.front().*value;
-  const bool same = std::all_of(runs.begin(), runs.end(), [&](const RunSeries& run) { return run.*value == first; });
-  return same ? first : NAN;
-}
-
-// Phases that hold for all runs.
-std::vector<PhaseBand> common_phases(const Runs& runs) {
-  double end = 0;
-  for (const RunSeries& run : runs) end = std::max(end, last_time(run));
-  return phases(common(runs, &RunSeries::closing_end), common(runs, &RunSeries::towing_start), end);
 }
 
 Panel time_panel(std::string title, std::string y_title, std::vector<PhaseBand> bands) {
@@ -166,7 +134,7 @@ constexpr std::array<ForceComponent, 3> kForces = {{{"*F_{x}*", Channel::contact
                                                     {"*F_{z}*", Channel::contact_fz, kGreen}}};
 
 Panel force_panel(const RunSeries& run, const ForceComponent& force, std::string title) {
-  Panel panel = time_panel(std::move(title), fmt::format("Force {} (N)", force.symbol), phases(run));
+  Panel panel = time_panel(std::move(title), fmt::format("Force {} (N)", force.symbol), phase_bands(run));
   panel.y.minimum_span = kSmallestForce;
   panel.curves = {channel_curve(run, force.channel, force.colour, "")};
   panel.curves.front().width = kThinLine;
@@ -225,17 +193,18 @@ Curve between(const Curve& curve, double begin, double end) {
 
 // Y by phase: blue until towing starts, red from there on.
 Panel axial_panel(const RunSeries& run, const BodyChannels& body, std::string title) {
-  Panel panel = time_panel(std::move(title), "Position *Y* (m)", phases(run));
+  Panel panel = time_panel(std::move(title), "Position *Y* (m)", phase_bands(run));
   panel.y.minimum_span = kSmallestAxialMotion;
   const Curve whole = channel_curve(run, body.y, kClosingBlue, "");
-  const double towing_start = std::isfinite(run.towing_start) ? run.towing_start : INFINITY;
+  const double begin = phase_begin(run.phases, kTowing);
+  const double towing_start = std::isfinite(begin) ? begin : INFINITY;
   panel.curves = {between(whole, -INFINITY, towing_start), between(whole, towing_start, INFINITY)};
   panel.curves.back().colour = kTowingRed;
   return panel;
 }
 
 Panel lateral_panel(const RunSeries& run, const BodyChannels& body, std::string title) {
-  Panel panel = time_panel(std::move(title), "Position *X*, *Z* (m)", phases(run));
+  Panel panel = time_panel(std::move(title), "Position *X*, *Z* (m)", phase_bands(run));
   panel.y.minimum_span = kSmallestMotion;
   panel.curves = {channel_curve(run, body.x, kOrange, "*X*"), channel_curve(run, body.z, kGreen, "*Z*")};
   return panel;
@@ -316,7 +285,7 @@ bool is_recorded(const RunSeries& run, Channel channel) {
 }
 
 Panel balance_panel(const RunSeries& run, const std::string& name) {
-  Panel panel = time_panel(row_title(name, "balance"), "Energy (J)", phases(run));
+  Panel panel = time_panel(row_title(name, "balance"), "Energy (J)", phase_bands(run));
   panel.curves = {channel_curve(run, Channel::energy_input, kBlack, "put in"),
                   channel_curve(run, Channel::energy_kinetic, kBlue, "kinetic"),
                   channel_curve(run, Channel::energy_strain, kVermillion, "strain"),
@@ -330,11 +299,11 @@ Panel balance_panel(const RunSeries& run, const std::string& name) {
 // Recordings made before the parts had channels hold their sum alone.
 Panel dissipation_panel(const RunSeries& run, const std::string& name) {
   if (!is_recorded(run, Channel::spent_in_cords)) {
-    Panel sum = time_panel(row_title(name, "dissipated; parts not recorded"), "Energy (J)", phases(run));
+    Panel sum = time_panel(row_title(name, "dissipated; parts not recorded"), "Energy (J)", phase_bands(run));
     sum.curves = {channel_curve(run, Channel::energy_dissipated, kGreen, "")};
     return sum;
   }
-  Panel panel = time_panel(row_title(name, "dissipated"), "Energy (J)", phases(run));
+  Panel panel = time_panel(row_title(name, "dissipated"), "Energy (J)", phase_bands(run));
   panel.curves = {channel_curve(run, Channel::spent_in_cords, kBlue, "in cords"),
                   channel_curve(run, Channel::spent_at_hinges, kVermillion, "at hinges"),
                   channel_curve(run, Channel::spent_in_contacts, kOrange, "in contacts"),
@@ -345,7 +314,7 @@ Panel dissipation_panel(const RunSeries& run, const std::string& name) {
 void add_energy_row(std::vector<Panel>& panels, const RunSeries& run, const std::string& name) {
   panels.push_back(balance_panel(run, name));
   panels.push_back(dissipation_panel(run, name));
-  Panel error = time_panel(row_title(name, error_title(run)), "Energy error (J)", phases(run));
+  Panel error = time_panel(row_title(name, error_title(run)), "Energy error (J)", phase_bands(run));
   error.curves = {channel_curve(run, Channel::energy_error, kPurple, "")};
   panels.push_back(error);
 }
@@ -370,16 +339,23 @@ Figure tension_figure(const Runs& runs) {
 struct NamedFigure {
   const char* name;
   Figure (*make)(const Runs&);
+  std::optional<Channel> needed;  // absent: a channel of the system's own
 };
 
-constexpr std::array<NamedFigure, 8> kFigures = {{{"figure03_closing", closing_figure},
-                                                  {"figure05_force", force_figure},
-                                                  {"figure06_position", position_figure},
-                                                  {"figure09_force", force_figure},
-                                                  {"figure10_target_position", target_figure},
-                                                  {"figure11_spacecraft_position", spacecraft_figure},
-                                                  {"energy", energy_figure},
-                                                  {"tension", tension_figure}}};
+constexpr std::array<NamedFigure, 9> kFigures = {
+    {{"figure03_closing", closing_figure, Channel::closing_length},
+     {"figure05_force", force_figure, Channel::contact_fy},
+     {"figure06_position", position_figure, Channel::target_y},
+     {"figure09_force", force_figure, Channel::contact_fy},
+     {"figure10_target_position", target_figure, Channel::target_y},
+     {"figure11_spacecraft_position", spacecraft_figure, Channel::spacecraft_y},
+     {"energy", energy_figure, Channel::energy_kinetic},
+     {"tension", tension_figure, Channel::rope_tension_max},
+     {"own_channels", own_channels_figure, std::nullopt}}};
+
+bool suits(const NamedFigure& figure, const RunSeries& run) {
+  return figure.needed ? run.channel_list->has(*figure.needed) : has_own_channels(run);
+}
 
 // How much two names have in common: letters in the same order (longest common subsequence) over their mean length. A
 // part of a name, such as "force", is closer to the whole than an edit distance would say.
@@ -407,10 +383,14 @@ const std::vector<std::string>& figure_names() {
   return names;
 }
 
-std::vector<std::string> default_figure_names(std::size_t run_count) {
-  const std::string left_out = run_count > 1 ? "figure05_force" : "figure09_force";
-  std::vector<std::string> names = figure_names();
-  std::erase(names, left_out);
+std::vector<std::string> default_figure_names(const std::vector<RunSeries>& runs) {
+  const std::string left_out = runs.size() > 1 ? "figure05_force" : "figure09_force";
+  std::vector<std::string> names;
+  const std::vector<RunSeries> shown = runs.empty() ? std::vector<RunSeries>(1) : runs;
+  for (const NamedFigure& figure : kFigures) {
+    const auto has_its_channels = [&](const RunSeries& run) { return suits(figure, run); };
+    if (figure.name != left_out && std::ranges::any_of(shown, has_its_channels)) names.emplace_back(figure.name);
+  }
   return names;
 }
 

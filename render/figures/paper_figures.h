@@ -21,10 +21,12 @@ namespace netpocket {
 //   figure11_spacecraft_position  the same for the spacecraft
 //   energy                        energy balance and its error
 //   tension                       largest net tension and closing rope tension
+//   own_channels                  channels that only this kind of capture system has (own_channels.h)
 const std::vector<std::string>& figure_names();
 
-// The figures that suit this many runs: forces as Figure 5 for one run, as Figure 9 for several.
-std::vector<std::string> default_figure_names(std::size_t run_count);
+// The figures that suit these runs: those for which at least one run has the channels; forces as Figure 5 for one run,
+// as Figure 9 for several.
+std::vector<std::string> default_figure_names(const std::vector<RunSeries>& runs);
 
 // Runs without data, or none at all, give a figure that says "no data". Throws FigureError on an unknown name, with the
 // nearest valid one.

@@ -10,7 +10,7 @@ namespace netpocket {
 namespace {
 
 // Each once.
-std::vector<std::string> chosen_names(const PlotOptions& options, std::size_t runs) {
+std::vector<std::string> chosen_names(const PlotOptions& options, const std::vector<RunSeries>& runs) {
   if (options.names.empty()) return default_figure_names(runs);
   std::vector<std::string> names;
   for (const std::string& name : options.names) {
@@ -24,7 +24,7 @@ std::vector<std::string> chosen_names(const PlotOptions& options, std::size_t ru
 std::vector<std::filesystem::path> figure_files(const std::vector<RunSeries>& runs,
                                                 const std::filesystem::path& directory, const PlotOptions& options) {
   std::vector<std::filesystem::path> files;
-  for (const std::string& name : chosen_names(options, runs.size())) {
+  for (const std::string& name : chosen_names(options, runs)) {
     files.push_back(directory / fmt::format("{}.{}", name, to_string(options.format)));
   }
   return files;
@@ -34,7 +34,7 @@ std::vector<std::filesystem::path> plot_figures(const std::vector<RunSeries>& ru
                                                 const std::filesystem::path& directory, const PlotOptions& options,
                                                 const std::stop_token& stop) {
   std::vector<Figure> figures;
-  for (const std::string& name : chosen_names(options, runs.size())) figures.push_back(make_figure(name, runs));
+  for (const std::string& name : chosen_names(options, runs)) figures.push_back(make_figure(name, runs));
   make_folder(directory.string());
   auto files = figure_files(runs, directory, options);
   std::size_t written = 0;

@@ -26,8 +26,7 @@ RunSeries run_series(const Recording& recording) {
   series.channel_list = recording.channels();
   series.channels.clear();
   for (std::size_t i = 0; i < series.channel_list->size(); ++i) series.channels.push_back(recording.channel(i));
-  series.closing_end = recording.origin().closing_end;
-  series.towing_start = recording.origin().towing_start;
+  series.phases = recording.origin().phases;
   return series;
 }
 

@@ -1,12 +1,12 @@
 #pragma once
 // What the figures need of a run: its channels over time. Filled from a recording, a live run or a test.
 
-#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "engine/state/channels.h"
+#include "engine/state/phase.h"
 
 namespace netpocket {
 
@@ -16,9 +16,8 @@ struct RunSeries {
   std::string name;  // shown in titles and legends
   std::shared_ptr<const ChannelList> channel_list = known_channels();
   std::vector<std::vector<double>> channels =
-      std::vector<std::vector<double>>(channel_list->size());      // by channel_list
-  double closing_end = std::numeric_limits<double>::quiet_NaN();   // s; NaN when unknown
-  double towing_start = std::numeric_limits<double>::quiet_NaN();  // s; NaN when unknown or never
+      std::vector<std::vector<double>>(channel_list->size());  // by channel_list
+  std::vector<Phase> phases;
 
   // By frame; empty where the run has no such channel.
   const std::vector<double>& channel(Channel c) const;

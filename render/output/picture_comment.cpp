@@ -26,7 +26,6 @@ std::string content(const RunView& view) {
   const auto& frame = view.frame;
   const auto& scene = frame.scene;
   const auto range = scene.color_range.value_or(ValueRange{0, 0});
-  const auto phases = scene.phases.value_or(PhaseTimes{});
   std::string text = fmt::format("{}x{} {} ", frame.width, frame.height, frame.supersampling);
   text +=
       fmt::format("{} {} {} {} {} {} ", static_cast<int>(scene.background), static_cast<int>(scene.color_by), range.low,
@@ -37,7 +36,7 @@ std::string content(const RunView& view) {
   }
   text += fmt::format(" {} '{}' {} {} ", scene.arrow_force.value_or(0), scene.title, scene.line_scale,
                       scene.annotation_scale);
-  text += fmt::format("{} {} {} ", phases.closing_start, phases.closing_end, phases.towing_start);
+  for (const Phase& phase : scene.phases) text += fmt::format("{} {} {} ", phase.name, phase.begin, phase.end);
   text += fmt::format("{} {} {} ", static_cast<int>(view.camera), view.share.width, view.share.height);
   if (!view.view) return text;
   const auto& camera = *view.view;

@@ -18,9 +18,10 @@ std::string letters(std::size_t index) {
   return index < 26 ? text : letters(index / 26 - 1) + text;
 }
 
-std::string caption(std::size_t index, double time, const std::optional<PhaseTimes>& phases) {
+std::string caption(std::size_t index, double time, const std::vector<Phase>& phases) {
   const auto label = fmt::format("({}) t = {:.4g} s", letters(index), time);
-  return phases ? fmt::format("{}, {}", label, phase_name(*phases, time)) : label;
+  const std::string phase = phase_name(phases, time);
+  return phase.empty() ? label : fmt::format("{}, {}", label, phase);
 }
 
 int columns_of(const SheetOptions& options, std::size_t runs, std::size_t times) {

@@ -39,15 +39,10 @@ double sampled_mean(const std::vector<const Recording*>& recordings,
   return largest;
 }
 
-std::optional<PhaseTimes> recorded_phases(const Recording& recording) {
-  const auto result = read_scenario_text(recording.origin().scenario_text, recording.path());
-  return result.ok() ? std::optional(phase_times(result.scenario)) : std::nullopt;
-}
-
 RunView completed(const Recording& recording, const RunView& view) {
   RunView complete = common_view({&recording}, view);
   auto& scene = complete.frame.scene;
-  if (!scene.phases) scene.phases = recorded_phases(recording);
+  if (scene.phases.empty()) scene.phases = recording.origin().phases;
   return complete;
 }
 

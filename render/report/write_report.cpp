@@ -46,7 +46,7 @@ SheetOptions sheet_options(const ReportOptions& options) {
 std::vector<std::pair<std::string, std::string>> figures(const Recordings& recordings) {
   const auto runs = run_series(recordings);
   std::vector<std::pair<std::string, std::string>> drawn;
-  for (const auto& name : default_figure_names(runs.size())) {
+  for (const auto& name : default_figure_names(runs)) {
     drawn.emplace_back(name, encode_figure(make_figure(name, runs), FigureFormat::svg));
   }
   return drawn;

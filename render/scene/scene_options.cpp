@@ -21,15 +21,4 @@ Background background_from_name(std::string_view name) {
   throw RenderError(fmt::format("unknown background '{}': use white or space", name));
 }
 
-PhaseTimes phase_times(const Scenario& scenario) {
-  PhaseTimes times;
-  times.closing_start = scenario.closing.start;
-  times.closing_end = scenario.closing.start + scenario.closing.duration;
-  if (scenario.closing.law == ClosingLaw::table && !scenario.closing.table.empty()) {
-    times.closing_end = scenario.closing.start + scenario.closing.table.back().x();
-  }
-  if (scenario.towing.mode != TowingMode::none) times.towing_start = scenario.towing.start;
-  return times;
-}
-
 }  // namespace netpocket

@@ -1,12 +1,12 @@
 #pragma once
 // What a picture of a pocket shows and how.
 
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "engine/scenario/scenario.h"
+#include "engine/state/phase.h"
 #include "render/scene/color_map.h"
 
 namespace netpocket {
@@ -22,15 +22,6 @@ struct ValueRange {
   double low = 0;
   double high = 1;
 };
-
-// When the parts of a capture happen, for the label next to the time; s.
-struct PhaseTimes {
-  double closing_start = 0;
-  double closing_end = 0;
-  double towing_start = std::numeric_limits<double>::infinity();
-};
-
-PhaseTimes phase_times(const Scenario& scenario);
 
 // What a person chooses to see.
 struct DisplayOptions {
@@ -51,9 +42,9 @@ struct DisplayOptions {
 };
 
 struct SceneOptions : DisplayOptions {
-  std::optional<PhaseTimes> phases;  // absent: the time stands alone
-  double line_scale = 1;             // of the widths of lines
-  double annotation_scale = 1;       // of labels, legend, scale bar and axes
+  std::vector<Phase> phases;    // named beside the time; empty: the time stands alone
+  double line_scale = 1;        // of the widths of lines
+  double annotation_scale = 1;  // of labels, legend, scale bar and axes
   bool legend_ground = false;   // the legend's texts stand on the background's colour, so that no cord crosses them
   bool fast_smoothing = false;  // FXAA, for windows; files are better smoothed by supersampling
   bool transparent_background = false;  // the picture's alpha tells where something is drawn

@@ -10,11 +10,8 @@ constexpr double kFrameTolerance = 1e-3;  // s
 
 }  // namespace
 
-std::string phase_name(const PhaseTimes& phases, double time) {
-  const double now = time + kFrameTolerance;
-  if (now >= phases.towing_start) return "towing";
-  if (now >= phases.closing_end) return "closed";
-  return now >= phases.closing_start ? "closing" : "open";
+std::string phase_name(const std::vector<Phase>& phases, double time) {
+  return phase_at(phases, time + kFrameTolerance);
 }
 
 TimeLabel::TimeLabel(const SceneOptions& options, const Color& color)
@@ -22,13 +19,13 @@ TimeLabel::TimeLabel(const SceneOptions& options, const Color& color)
   title_.set_text(options.title);
   if (!options.title.empty()) props_.push_back(title_.prop());
   if (options.time_label) props_.push_back(time_.prop());
-  if (options.time_label && options.phases) props_.push_back(phase_.prop());
+  if (options.time_label && !options.phases.empty()) props_.push_back(phase_.prop());
 }
 
 void TimeLabel::update(const Snapshot& snapshot) {
   if (!options_.time_label) return;
   time_.set_text(fmt::format("t = {:.2f} s", snapshot.time));
-  if (options_.phases) phase_.set_text(phase_name(*options_.phases, snapshot.time));
+  if (!options_.phases.empty()) phase_.set_text(phase_name(options_.phases, snapshot.time));
 }
 
 void TimeLabel::adapt(const View& view) {

@@ -7,8 +7,9 @@
 
 namespace netpocket {
 
-// "closing", "closed" or "towing"; "open" before closing starts.
-std::string phase_name(const PhaseTimes& phases, double time);
+// Name of the phase at a time (s), such as "closing"; empty if there is none. Frames that lie a step short of the
+// beginning of a phase count as in it.
+std::string phase_name(const std::vector<Phase>& phases, double time);
 
 class TimeLabel final : public SceneActor {
  public:

@@ -55,8 +55,8 @@ TEST(Run, RecordsEveryOutputInterval) {
   EXPECT_EQ(recording.status().reason, RunReason::finished);
   const RunOrigin& origin = recording.origin();
   EXPECT_EQ(origin.scenario_name, "case2");
-  EXPECT_EQ(origin.closing_end, 7.5);
-  EXPECT_TRUE(std::isnan(origin.towing_start));
+  EXPECT_EQ(phase_end(origin.phases, kClosing), 7.5);
+  EXPECT_TRUE(std::isnan(phase_begin(origin.phases, kTowing)));
   EXPECT_TRUE(contains(origin.scenario_text, "frame_rate = 40"));
   EXPECT_TRUE(contains(origin.command, "--set towing.mode=none")) << origin.command;
   EXPECT_TRUE(origin.netpocket_version.starts_with("0."));

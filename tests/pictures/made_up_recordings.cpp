@@ -27,8 +27,7 @@ RunOrigin made_up_origin(const std::string& name) {
   origin.scenario_text = write_scenario_text(scenario);
   origin.netpocket_version = std::string("0");  // one character assigned warns wrongly with GCC 12 (its bug 105651)
   origin.commit = "made up";
-  origin.closing_end = 7.5;
-  origin.towing_start = 9;
+  origin.phases = pocket_phases(0, 7.5, 9);
   return origin;
 }
 
@@ -106,8 +105,7 @@ void write_broken_recording(const std::string& path) {
 void write_series_recording(const std::string& path, const std::string& name, double closing_time) {
   const auto series = synthetic_run(name, closing_time);
   auto origin = made_up_origin(name);
-  origin.closing_end = closing_time;
-  origin.towing_start = series.towing_start;
+  origin.phases = series.phases;
   write_channels(path, origin, series.times().size(), [&](Snapshot& snapshot, std::size_t i) {
     snapshot.time = series.times()[i];
     for (std::size_t c = 0; c < snapshot.channels.size(); ++c) {

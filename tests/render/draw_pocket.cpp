@@ -40,7 +40,7 @@ void draw(const Arguments& arguments) {
   FrameOptions options{arguments.width, arguments.height, arguments.supersampling, {}};
   options.scene.color_by = color_by_from_name(arguments.color_by);
   options.scene.background = background_from_name(arguments.background);
-  options.scene.phases = PhaseTimes{0, 10, 10};
+  options.scene.phases = pocket_phases(0, 10, 10);
   options.scene.title = arguments.title;
   FrameRenderer renderer(make_gl_host(gl_backend_from_name(arguments.backend)), structure, options);
   const auto open = synthetic::make_snapshot(structure, 0, 0);

@@ -204,11 +204,12 @@ TEST(Camera, UnknownNamesAreRefused) {
 }
 
 TEST(TimeLabel, NamesThePhases) {
-  const PhaseTimes phases{1, 7.5, 10};
+  const std::vector<Phase> phases = pocket_phases(1, 7.5, 10);
   EXPECT_EQ(phase_name(phases, 0.5), "open");
   EXPECT_EQ(phase_name(phases, 1), "closing");
   EXPECT_EQ(phase_name(phases, 8), "closed");
   EXPECT_EQ(phase_name(phases, 10), "towing");
+  EXPECT_EQ(phase_name({}, 10), "");
 }
 
 }  // namespace

@@ -87,6 +87,20 @@ double largest_inverse_mass(const RigidBody& rigid, const Eigen::Vector3d& centr
 
 }  // namespace
 
+// The other force is moved to this point, where the couple (P2 - P1) x F2 makes up for it.
+void BodyControl::add(const BodyControl& other, const Eigen::Quaterniond& attitude) {
+  const Eigen::Vector3d arm = attitude * (other.point - point);
+  at_centre += other.at_centre;
+  at_centre.torque += arm.cross(other.force);
+  force += other.force;
+  for (std::size_t axis = 0; axis < velocity.size(); ++axis) {
+    if (other.velocity[axis]) velocity[axis] = other.velocity[axis];
+  }
+  if (!other.hold_attitude) return;
+  hold_attitude = true;
+  spin = other.spin;
+}
+
 void BodyControl::visit_state(const std::function<void(double&)>& visit) {
   const auto visit_flag = [&](bool flag) {
     double number = flag ? 1 : 0;

@@ -36,6 +36,9 @@ struct BodyControl {
   Eigen::Vector3d spin = Eigen::Vector3d::Zero();      // rad/s, prescribed angular velocity if hold_attitude
   Wrench at_centre = {};  // additional, about the centre of mass of the body with its attachments
 
+  // Adds what another source asks of the body, whose attitude is given. Wrenches add up. Where both prescribe a
+  // component of the motion, `other` rules.
+  void add(const BodyControl& other, const Eigen::Quaterniond& attitude);
   // Gives every number to `visit`, which may change it.
   void visit_state(const std::function<void(double&)>& visit);
 };

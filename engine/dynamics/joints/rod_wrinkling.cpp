@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace netpocket {
 
 RodWrinkling::RodWrinkling(const Model& model, std::span<const BatchElement> elements, bool full) : full_(full) {
+  for (std::size_t m = 0; m < model.materials.size(); ++m) {
+    if (model.materials[m].is_tube) moments_.emplace_back(m, model.materials[m].wrinkling_moment);
+  }
   for (std::size_t i = 0; i < elements.size(); ++i) {
     const std::int32_t material = model.elements[i].material;
     if (!model.materials[material].is_tube) continue;
@@ -22,11 +26,29 @@ void RodWrinkling::find_whether_any_can_wrinkle() {
   can_wrinkle_ = std::ranges::any_of(rods_, [](const Rod& rod) { return std::isfinite(rod.section.moment); });
 }
 
+double RodWrinkling::moment(std::int32_t material) const {
+  const auto found = std::ranges::find(moments_, material, &std::pair<std::int32_t, double>::first);
+  return found == moments_.end() ? std::numeric_limits<double>::infinity() : found->second;
+}
+
 void RodWrinkling::set_moment(std::int32_t material, double moment) {
+  for (auto& [tube, present] : moments_) {
+    if (tube == material) present = moment;
+  }
   for (Rod& rod : rods_) {
     if (rod.material == material) rod.section.moment = moment;
   }
   find_whether_any_can_wrinkle();
+}
+
+void RodWrinkling::visit_state(const std::function<void(double&)>& visit) {
+  constexpr double kInfinite = -1;  // saved states hold finite numbers only
+  for (const auto& [material, moment] : moments_) {
+    double number = std::isfinite(moment) ? moment : kInfinite;
+    visit(number);
+    const double visited = number < 0 ? std::numeric_limits<double>::infinity() : number;
+    if (visited != moment) set_moment(material, visited);
+  }
 }
 
 std::optional<Softening> RodWrinkling::softening(const Rod& rod, const CoordinateVectors& coordinates) const {

@@ -21,6 +21,10 @@ class RodWrinkling {
 
   // Sets the wrinkling moment (N m) of the rods of a material from now on.
   void set_moment(std::int32_t material, double moment);
+  // Infinite for materials that are no tubes.
+  double moment(std::int32_t material) const;
+  // Gives the wrinkling moments to `visit`, which may change them.
+  void visit_state(const std::function<void(double&)>& visit);
 
   // Adds to `applied` the difference of the rods' forces from the linear law.
   void add_forces(const CoordinateVectors& coordinates, AppliedForces& applied) const;
@@ -38,6 +42,7 @@ class RodWrinkling {
   void find_whether_any_can_wrinkle();
 
   std::vector<Rod> rods_;
+  std::vector<std::pair<std::int32_t, double>> moments_;  // of the materials of tubes: index, N m
   bool full_;
   bool can_wrinkle_ = false;  // whether any wrinkling moment is finite; if not, no time is spent here
 };

@@ -47,13 +47,13 @@ MaterialSpan rope_span(const RopeMotion& motion, double share_at_start, std::siz
 RopeDynamics::RopeDynamics(const Model& model, const CoordinateLayout& layout) {
   place_.assign(model.elements.size(), {-1, -1});
   for (const VariableRope& source : model.ropes) {
-    Rope rope;
-    rope.elements = source.elements;
-    rope.section = model.material_of(source.elements.front()).section;
-    rope.motion = source.motion;
-    rope.same_motion_as = source.same_motion_as;
-    rope.share_at_start = source.share_at_start;
-    rope.initial_length = source.motion(0).length;
+    Rope rope{.elements = source.elements,
+              .section = model.material_of(source.elements.front()).section,
+              .share_at_start = source.share_at_start,
+              .initial_length = source.motion.length,
+              .before = source.motion,
+              .now = source.motion,
+              .of_spans = source.motion};
     rope.spans.resize(source.elements.size());
     for (std::size_t i = 0; i < source.elements.size(); ++i) {
       const ModelElement& element = model.elements[source.elements[i]];
@@ -93,6 +93,7 @@ void RopeDynamics::for_each_lane(const Function& function) {
 void RopeDynamics::set_present_spans() {
   for (Rope& rope : ropes_) {
     for (std::size_t i = 0; i < rope.spans.size(); ++i) rope.spans[i] = rope.span_at(rope.now, i);
+    rope.of_spans = rope.now;
   }
   for_each_lane(
       [](const Rope& rope, std::size_t i, RopeBlock& block, int lane) { set_lane(block.now, lane, rope.spans[i]); });
@@ -124,26 +125,24 @@ void RopeDynamics::for_each_end(const Function& function) const {
   for (const Rope& rope : ropes_) function(rope, rope.indices.back()[2], 1 - rope.share_at_start);
 }
 
-void RopeDynamics::set_motion(const std::function<RopeMotion(double)>& motion) {
-  for (Rope& rope : ropes_) rope.motion = motion;
-}
-
-bool RopeDynamics::set_time(double t) {
-  bool changed = !started_;
-  for (Rope& rope : ropes_) {
-    const RopeMotion motion = rope.same_motion_as < 0 ? rope.motion(t) : ropes_[rope.same_motion_as].now;
-    changed = changed || !(motion == rope.now);
-    rope.now = motion;
-  }
-  if (!started_) finish_step();
+bool RopeDynamics::refresh_spans() {
+  const bool changed =
+      !started_ || std::ranges::any_of(ropes_, [](const Rope& rope) { return !(rope.now == rope.of_spans); });
   started_ = true;
   if (changed) set_present_spans();
   if (!previous_spans_are_set_) set_previous_spans();
   return changed;
 }
 
-void RopeDynamics::finish_step() {
-  for (Rope& rope : ropes_) rope.before = rope.now;
+void RopeDynamics::finish_step(double dt) {
+  for (Rope& rope : ropes_) {
+    rope.before = rope.now;
+    RopeMotion& now = rope.now;
+    const RopeMotion kept = {now.length + dt * (now.rate + 0.5 * dt * now.acceleration),
+                             now.rate + dt * now.acceleration, now.acceleration};
+    now = rope.next.value_or(kept);
+    rope.next.reset();
+  }
   for (RopeBlock& block : blocks_) block.before = block.now;
 }
 
@@ -208,8 +207,10 @@ RopeDynamics::FlowEnergy RopeDynamics::flow_energy(const CoordinateVectors& coor
 
 void RopeDynamics::visit_state(const std::function<void(double&)>& visit) {
   for (Rope& rope : ropes_) {
-    visit(rope.before.length);
-    visit(rope.before.rate);
+    for (double* number :
+         {&rope.before.length, &rope.before.rate, &rope.now.length, &rope.now.rate, &rope.now.acceleration}) {
+      visit(*number);
+    }
   }
   previous_spans_are_set_ = false;
 }

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -35,12 +36,12 @@ class RopeDynamics {
 
   bool empty() const { return ropes_.empty(); }
 
-  // Replaces the winding law of all ropes from now on. The law returns the motion at a time (s).
-  void set_motion(const std::function<RopeMotion(double)>& motion);
+  // Sets a rope's motion at the end of the next step. Without this it keeps its rate and acceleration.
+  void wind(std::int32_t rope, const RopeMotion& motion) { ropes_[static_cast<std::size_t>(rope)].next = motion; }
 
-  // Brings the ropes' motion to time `t` (s). Returns false if every rope moves as before; then lengths, masses and
-  // inertia are unchanged.
-  bool set_time(double t);
+  // Derives the elements' spans from the ropes' present motion. Returns false if no rope has moved since the last call;
+  // then lengths, masses and inertia are unchanged.
+  bool refresh_spans();
   // Sets the elements' lengths in `batch`. Adds the lumped and the wound-up mass of the ropes to `mass` (by
   // coordinate), which must hold the mass of everything else.
   void update(ElementBatch& batch, std::span<double> mass);
@@ -55,8 +56,9 @@ class RopeDynamics {
   // Change (J) of the ropes' kinetic energy from the previous step's motion to the present one, at fixed coordinates
   // and velocities.
   double energy_change(const CoordinateVectors& coordinates, const CoordinateVectors& velocities);
-  // To be called after each step: the present motion becomes that of the previous step.
-  void finish_step();
+  // To be called after each step of `dt` (s). The present motion becomes that of the previous step, and the commanded
+  // motion becomes the present one.
+  void finish_step(double dt);
 
   // Kinetic energy (J) of the flow, in excess of that of lumped masses at their nodes' velocities, and flow_work (J) of
   // ancf/variable_length.h.
@@ -77,14 +79,14 @@ class RopeDynamics {
  private:
   struct Rope {
     std::vector<std::int32_t> elements;
-    std::vector<std::array<std::int32_t, 4>> indices;  // by element of the rope
-    std::vector<MaterialSpan> spans;                   // by element of the rope, at present
+    std::vector<std::array<std::int32_t, 4>> indices{};  // by element of the rope
+    std::vector<MaterialSpan> spans{};                   // by element of the rope, at present
     CableSection section;
-    std::function<RopeMotion(double)> motion;
-    std::int32_t same_motion_as;  // index of an earlier rope with the same motion, or -1
     double share_at_start;
-    double initial_length;
-    RopeMotion before{}, now{};  // at the start of the previous and of the present step
+    double initial_length;             // m
+    RopeMotion before, now;            // at the start of the previous and of the present step
+    RopeMotion of_spans;               // motion that `spans` hold
+    std::optional<RopeMotion> next{};  // commanded for the end of the present step
 
     // Whether the winding of this rope has any effect in this step.
     bool moves() const { return now.rate != 0 || before.rate != 0 || now.length != before.length; }
@@ -109,7 +111,7 @@ class RopeDynamics {
 
   std::vector<Rope> ropes_;
   AlignedVector<RopeBlock> blocks_;  // elements of all ropes, in the order of for_each_element
-  bool started_ = false;             // whether a time has been set
+  bool started_ = false;             // whether spans have been set
   bool previous_spans_are_set_ = false;
   std::size_t longest_ = 0;  // number of elements of the longest rope
   std::vector<std::int32_t> massive_coordinates_;

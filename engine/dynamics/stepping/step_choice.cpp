@@ -1,5 +1,7 @@
 #include "engine/dynamics/stepping/step_choice.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -9,8 +11,10 @@
 namespace netpocket {
 namespace {
 
-// The bound of the whole model is computed again when the closing ropes' length has changed by this ratio.
+// The bound of the whole model is computed again when a rope's length has changed by this ratio.
 constexpr double kLengthRatio = 0.85;
+// Bounds of rope elements are computed for lengths that are powers of this ratio.
+constexpr double kClassRatio = 1.01;
 // Bends are named as the cause of a step when bend_factor is below this.
 constexpr double kNotableBendFactor = 0.98;
 
@@ -37,37 +41,61 @@ void visit_integer(const std::function<void(double&)>& visit, int& integer, int 
 }  // namespace
 
 StepChoice::StepChoice(CableSystem& system)
-    : system_(system),
-      model_(system.model()),
-      bound_(system.stable_step()),
-      bound_length_(model_.ropes.front().motion(0).length) {}
+    : system_(system), model_(system.model()), bound_(system.stable_step()), ropes_(model_.ropes.size()) {
+  for (std::size_t rope = 0; rope < ropes_.size(); ++rope) ropes_[rope].length_at_bound = length_of(rope);
+}
+
+double StepChoice::length_of(std::size_t rope) const {
+  return system_.rope_motion(static_cast<std::int32_t>(rope)).length;
+}
 
 // The length is rounded down to a power of 1.01. So there is seldom anything to compute, and the result does not depend
 // on earlier lengths.
-void StepChoice::find_rope_step(double length) {
-  const VariableRope& rope = model_.ropes.front();
-  constexpr double kRatio = 1.01;
-  const int length_class =
-      static_cast<int>(std::floor(logarithm(length / static_cast<double>(rope.elements.size())) / logarithm(kRatio)));
-  if (length_class == std::exchange(length_class_, length_class)) return;
-  const CableSection& section = model_.material_of(rope.elements.front()).section;
-  const double element_length = power(kRatio, length_class);
+void StepChoice::find_rope_step(std::size_t rope, double length) {
+  const std::vector<std::int32_t>& elements = model_.ropes[rope].elements;
+  const double of_element = length / static_cast<double>(elements.size());
+  const int length_class = static_cast<int>(std::floor(logarithm(of_element) / logarithm(kClassRatio)));
+  RopeBound& bound = ropes_[rope];
+  if (length_class == std::exchange(bound.length_class, length_class)) return;
+  const CableSection& section = model_.material_of(elements.front()).section;
+  const double element_length = power(kClassRatio, length_class);
+  bound.shortest = element_length * static_cast<double>(elements.size());
   if (system_.evaluation() == ElementEvaluation::full) {
-    rope_step_ = stable_step_of_lumped_full_element(section, element_length);
+    bound.step = stable_step_of_lumped_full_element(section, element_length);
     return;
   }
   const bool paired =
-      std::ranges::all_of(rope.elements, [&](std::int32_t i) { return model_.elements[i].strain_partner >= 0; });
-  rope_step_ = stable_step_of_lumped_element(section, element_length, paired);
+      std::ranges::all_of(elements, [&](std::int32_t i) { return model_.elements[i].strain_partner >= 0; });
+  bound.step = stable_step_of_lumped_element(section, element_length, paired);
 }
 
-double StepChoice::stable_step(const std::function<RopeMotion(double)>& winding, double end) {
-  const double length = winding(system_.time()).length;
-  if (length < kLengthRatio * bound_length_ || kLengthRatio * length > bound_length_) {
-    bound_ = system_.stable_step();
-    bound_length_ = length;
+bool StepChoice::lengths_have_changed() const {
+  for (std::size_t rope = 0; rope < ropes_.size(); ++rope) {
+    const double length = length_of(rope), before = ropes_[rope].length_at_bound;
+    if (length < kLengthRatio * before || kLengthRatio * length > before) return true;
   }
-  find_rope_step(std::min(length, winding(end).length));
+  return false;
+}
+
+bool StepChoice::is_shorter_than_expected() const {
+  for (std::size_t rope = 0; rope < ropes_.size(); ++rope) {
+    if (length_of(rope) < ropes_[rope].shortest) return true;
+  }
+  return false;
+}
+
+double StepChoice::stable_step(std::span<const double> shortest) {
+  if (lengths_have_changed()) {
+    bound_ = system_.stable_step();
+    for (std::size_t rope = 0; rope < ropes_.size(); ++rope) ropes_[rope].length_at_bound = length_of(rope);
+  }
+  rope_step_ = std::numeric_limits<double>::infinity();
+  for (std::size_t rope = 0; rope < ropes_.size(); ++rope) {
+    find_rope_step(rope, std::min(length_of(rope), shortest[rope]));
+    if (ropes_[rope].step >= rope_step_) continue;
+    rope_step_ = ropes_[rope].step;
+    limiting_rope_ = static_cast<std::int32_t>(rope);
+  }
   const double current = bend_factor();
   const double smallest = std::min(current, smallest_factor_), largest = std::max(current, largest_factor_);
   is_monitored_ = largest > kSteadyRatio * smallest;
@@ -78,6 +106,7 @@ double StepChoice::stable_step(const std::function<RopeMotion(double)>& winding,
 }
 
 bool StepChoice::is_outgrown(double step) {
+  if (is_shorter_than_expected()) return true;
   if (!is_monitored_) return false;
   const double factor = bend_factor();
   smallest_factor_ = std::min(smallest_factor_, factor);
@@ -85,7 +114,7 @@ bool StepChoice::is_outgrown(double step) {
   return step > factor * straight_bound().step;
 }
 
-// The bound of straight cables, with the closing ropes as short as they become until the next choice.
+// The bound of straight cables, with the ropes as short as they are expected to become until the next choice.
 StableStep StepChoice::straight_bound() const {
   if (rope_step_ >= bound_.step) return bound_;
   // The rope's bound may come from damping alone. It is expressed as an undamped mode of the same step, so that bends
@@ -108,7 +137,7 @@ double StepChoice::anticipation(double factor) {
 void StepChoice::note(double step) {
   if (step >= smallest_step_) return;
   smallest_step_ = step;
-  smallest_ = {cause_, bound_.limit, bound_.thread, shortening()};
+  smallest_ = {cause_, bound_.limit, cause_ == Cause::ropes ? limiting_rope_ : bound_.thread, shortening()};
 }
 
 StepChoice::Shortening StepChoice::shortening() const {
@@ -116,9 +145,16 @@ StepChoice::Shortening StepChoice::shortening() const {
   return limiter_.is_for_contacts() ? Shortening::contacts : Shortening::energy;
 }
 
+std::string StepChoice::rope_limit(std::int32_t rope) const {
+  const auto index = std::min(static_cast<std::size_t>(rope), model_.ropes.size() - 1);  // a file may hold any number
+  const std::int32_t element = model_.ropes[index].elements.front();
+  const auto group = static_cast<std::size_t>(model_.elements[static_cast<std::size_t>(element)].group);
+  return fmt::format("waves in the {}, the shorter the faster", model_.element_groups[group].name);
+}
+
 std::string StepChoice::limit() const {
   if (!std::isfinite(smallest_step_)) return limit_text(model_, bound_.limit, bound_.thread);
-  std::string text = smallest_.cause == Cause::ropes ? "waves in the closing ropes, the shorter the faster"
+  std::string text = smallest_.cause == Cause::ropes ? rope_limit(smallest_.thread)
                                                      : limit_text(model_, smallest_.mode, smallest_.thread);
   if (smallest_.cause == Cause::bends) text += ", and bends of cords";
   if (smallest_.shortening == Shortening::contacts) text += "; shortened for contacts pressed deep";
@@ -127,16 +163,20 @@ std::string StepChoice::limit() const {
 }
 
 void StepChoice::visit_state(const std::function<void(double&)>& visit) {
-  for (double* value : {&bound_length_, &bound_.step, &bound_.stiffness, &bound_.damping, &rope_step_, &last_factor_,
-                        &smallest_factor_, &largest_factor_, &smallest_step_}) {
+  for (double* value : {&bound_.step, &bound_.stiffness, &bound_.damping, &rope_step_, &last_factor_, &smallest_factor_,
+                        &largest_factor_, &smallest_step_}) {
     visit(*value);
   }
-  visit_integer(visit, length_class_, std::numeric_limits<int>::min());
+  for (RopeBound& rope : ropes_) {
+    for (double* value : {&rope.length_at_bound, &rope.shortest, &rope.step}) visit(*value);
+    visit_integer(visit, rope.length_class, std::numeric_limits<int>::min());
+  }
   double is_monitored = is_monitored_ ? 1 : 0;
   visit(is_monitored);
   is_monitored_ = is_monitored != 0;
   visit_enum(visit, bound_.limit, StepLimit::hinge);
   visit_integer(visit, bound_.thread, 0);
+  visit_integer(visit, limiting_rope_, 0);
   visit_enum(visit, smallest_.cause, Cause::ropes);
   visit_enum(visit, smallest_.mode, StepLimit::hinge);
   visit_integer(visit, smallest_.thread, 0);

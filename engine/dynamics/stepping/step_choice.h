@@ -1,11 +1,11 @@
 #pragma once
-// Chooses the integration step of a pocket while its closing ropes shorten and its cords bend, and tells what limits
-// it.
+// Chooses the integration step of a system while its wound ropes shorten and its cords bend, and tells what limits it.
 //
 // The stable step of straight cables is the smaller of two bounds:
-// - Of the whole model (stable_step.h). Shorter closing ropes hold the rods' tips more stiffly, so it is computed again
-//   each time the ropes are 15 % shorter.
-// - Of one element of a closing rope by itself, at its present length.
+// - Of the whole model (stable_step.h). Shorter ropes hold their ends more stiffly, so it is computed again each time
+//   the length of a rope has changed by 15 %.
+// - Of one element of a wound rope by itself, at the shortest length that it is expected to have until the next choice.
+//   If a rope becomes shorter than that, the step is outgrown.
 //
 // Bends and tensions stiffen the cables. They multiply this step by `bend_factor` (at most 1), which is computed at
 // each choice, and after each step while it varies by more than 3 %. StepLimiter multiplies the result where stability
@@ -15,7 +15,9 @@
 
 #include <functional>
 #include <limits>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "engine/dynamics/assembly/stable_step.h"
 #include "engine/dynamics/stepping/step_limiter.h"
@@ -26,14 +28,13 @@ namespace netpocket {
 
 class StepChoice {
  public:
-  // `system`: as built; must outlive this object. Its closing ropes must all be alike.
+  // `system`: as built; must outlive this object.
   explicit StepChoice(CableSystem& system);
 
-  // Largest step (s, without a safety factor) that is stable from the system's present time until `end` (s), if the
-  // ropes are wound by this law. Includes the factor of the limiter.
-  double stable_step(const std::function<RopeMotion(double)>& winding, double end);
+  // Largest step (s, without a safety factor) that is stable in the system's present shape as long as no rope becomes
+  // shorter than `shortest` (m, by rope). Includes the factor of the limiter.
+  double stable_step(std::span<const double> shortest);
   // To be called after a step. Whether a step of this size (s) is no longer stable in the system's present shape.
-  // Always false while bend_factor is steady.
   bool is_outgrown(double step);
   StepLimiter& limiter() { return limiter_; }
   const StepLimiter& limiter() const { return limiter_; }
@@ -58,26 +59,38 @@ class StepChoice {
   struct Limit {
     Cause cause = Cause::cables;
     StepLimit mode = StepLimit::nothing;
-    std::int32_t thread = 0;
+    std::int32_t thread = 0;  // of the cable that limits the step; for Cause::ropes the index of the rope
     Shortening shortening = Shortening::none;
   };
 
-  void find_rope_step(double length);
+  // The stable step of one element of a wound rope. It holds for a range of lengths.
+  struct RopeBound {
+    double length_at_bound = 0;                          // m, length of the rope for which bound_ was computed
+    int length_class = std::numeric_limits<int>::max();  // element length, rounded down to a power of 1.01
+    double shortest = 0;                                 // m, least length of the rope for which `step` holds
+    double step = 0;                                     // s
+  };
+
+  double length_of(std::size_t rope) const;
+  bool lengths_have_changed() const;
+  bool is_shorter_than_expected() const;
+  void find_rope_step(std::size_t rope, double length);
   StableStep straight_bound() const;
+  std::string rope_limit(std::int32_t rope) const;
   double bend_factor();
   double anticipation(double factor);
   Shortening shortening() const;
 
   CableSystem& system_;
   const Model& model_;
-  StableStep bound_;                                    // of straight cables at rope length bound_length_
-  double bound_length_;                                 // m
-  int length_class_ = std::numeric_limits<int>::max();  // rope length for which rope_step_ holds, as a power of 1.01
-  double rope_step_ = 0;                                // s, stable step of one element of the closing ropes
-  double last_factor_ = 1;                              // bend_factor used by the last choice
-  double smallest_factor_ = 1, largest_factor_ = 1;     // of bend_factor since the last choice
-  bool is_monitored_ = false;                           // whether bend_factor is computed after each step
-  Cause cause_ = Cause::cables;                         // of the last choice
+  StableStep bound_;                                            // of straight cables
+  std::vector<RopeBound> ropes_;                                // by rope of the model
+  double rope_step_ = std::numeric_limits<double>::infinity();  // s, least step of ropes_
+  std::int32_t limiting_rope_ = 0;                              // the rope with that step
+  double last_factor_ = 1;                                      // bend_factor used by the last choice
+  double smallest_factor_ = 1, largest_factor_ = 1;             // of bend_factor since the last choice
+  bool is_monitored_ = false;                                   // whether bend_factor is computed after each step
+  Cause cause_ = Cause::cables;                                 // of the last choice
   StepLimiter limiter_;
   double smallest_step_ = std::numeric_limits<double>::infinity();
   Limit smallest_;

@@ -61,6 +61,7 @@ CableSystem::Impl::Impl(Model&& source, const SystemOptions& opts)
       inverse_mass(layout.size(), 0.0),
       moving_mass(layout.size(), 0.0),
       unmoved(layout.size()),
+      friction(model.contact.friction),
       ropes(model, layout),
       wrinkling(model, batch_elements(), opts.evaluation == ElementEvaluation::full),
       contacts(model, layout),
@@ -73,6 +74,7 @@ CableSystem::Impl::Impl(Model&& source, const SystemOptions& opts)
   }
   element_length.resize(model.elements.size());
   wave_rate.resize(static_cast<std::size_t>(batch.block_count()) * kBlockSize, 0.0);
+  unpaired_rate = wave_rate;
   for (std::size_t i = 0; i < model.elements.size(); ++i) set_length(i, model.elements[i].length);
   set_initial_state();
   collect_mass();
@@ -195,11 +197,12 @@ void CableSystem::Impl::set_length(std::size_t element, double length) {
   element_length[element] = length;
   const double rate = wave_speed[model.elements[element].material] / length;
   wave_rate[element] = rate * rate;
+  if (model.elements[element].strain_partner < 0) unpaired_rate[element] = rate * rate;
 }
 
-// Brings the lengths and masses of ropes to the present time.
+// Brings the lengths and masses of ropes to their present motion.
 void CableSystem::Impl::update_ropes() {
-  if (ropes.empty() || !ropes.set_time(time)) return;
+  if (ropes.empty() || !ropes.refresh_spans()) return;
   for (std::size_t i = 0; i < mass_without_ropes.size(); ++i) {
     mass[ropes.massive_coordinates()[i]] = mass_without_ropes[i];
   }
@@ -271,7 +274,8 @@ StableStep CableSystem::stable_step() {
 // - Bends: stretching also acts on the gradients of a bent element, and the two elements of a pair no longer cancel
 //   where they meet at an angle. Let K_1 and K_2 have the largest squared frequencies l_1 and l_2. Then K_1 + K_2 has
 //   (l_1 + l_2)/2 + sqrt((l_1 - l_2)^2/4 + o l_1 l_2), where o <= 1 is the overlap of the two modes. Power iteration on
-//   shapes of captures gives o = 0.03, with l_2 as large as it is taken here.
+//   shapes of captures gives o = 0.03 for paired elements, with l_2 as large as it is taken here. Elements without a
+//   strain partner get o = 1: a bent one vibrates as a whole.
 // - Tension: at strain eps the Green strain's stiffness along a cord is EA (1 + 2 eps) + N = EA (1 + 3 eps).
 double CableSystem::stable_step_as_bent(const StableStep& straight) {
   constexpr double kOverlap = 0.25;
@@ -281,26 +285,31 @@ double CableSystem::stable_step_as_bent(const StableStep& straight) {
   if (s.consistent_mass) return s.stable_step_as_stretched(straight);
   if (s.step_of_states != s.steps) s.compute_states();
   struct Largest {
-    double of_bends = 0, strain = 0;
+    double of_bends = 0, of_unpaired = 0, strain = 0;
   };
   using Row = Eigen::Array<double, kBlockSize, 1>;
   const auto largest = [&](int first, int last) {
-    Row of_bends = Row::Zero(), strain = Row::Zero();
+    Row of_bends = Row::Zero(), of_unpaired = Row::Zero(), strain = Row::Zero();
     for (int block = first; block < last; ++block) {
       const Eigen::Map<const Row> rate(&s.wave_rate[static_cast<std::size_t>(block) * kBlockSize]);  // 0: no element
-      of_bends = of_bends.max(rate * Eigen::Map<const Row>(s.state_row(block, kBendStiffness)));
+      const Eigen::Map<const Row> unpaired(&s.unpaired_rate[static_cast<std::size_t>(block) * kBlockSize]);
+      const Eigen::Map<const Row> bend(s.state_row(block, kBendStiffness));
+      of_bends = of_bends.max(rate * bend);
+      of_unpaired = of_unpaired.max(unpaired * bend);
       strain = strain.max((rate > 0).select(Eigen::Map<const Row>(s.state_row(block, kStrain)), 0.0));
     }
-    return Largest{of_bends.maxCoeff(), strain.maxCoeff()};
+    return Largest{of_bends.maxCoeff(), of_unpaired.maxCoeff(), strain.maxCoeff()};
   };
-  double of_bends = 0, strain = 0;
+  double of_bends = 0, of_unpaired = 0, strain = 0;
   for (const Largest& part :
        values_of_ranges<Largest>(s.loop(), s.batch.block_count(), kElementRange / kBlockSize, largest)) {
     of_bends = std::max(of_bends, part.of_bends);
+    of_unpaired = std::max(of_unpaired, part.of_unpaired);
     strain = std::max(strain, part.strain);
   }
   const double bent = of_bends / straight.stiffness;
-  const double together = 0.5 * (1 + bent + std::sqrt((1 - bent) * (1 - bent) + 4 * kOverlap * bent));
+  const double paired = 0.5 * (1 + bent + std::sqrt((1 - bent) * (1 - bent) + 4 * kOverlap * bent));
+  const double together = std::max(paired, 1 + of_unpaired / straight.stiffness);
   // Damping of stretching grows in proportion to its stiffness.
   const double ratio = together + 3 * strain;
   return stable_step_of_mode(straight.stiffness * ratio, straight.damping * ratio);
@@ -370,21 +379,23 @@ void CableSystem::control(std::int32_t body, const BodyControl& control) {
   // The contact forces of bodies depend on the motion that their controls impose.
   if (impl_->body_contacts && impl_->body_contacts->count() > 0) impl_->forget_forces();
 }
-void CableSystem::set_rope_motion(const std::function<RopeMotion(double)>& motion) {
-  impl_->ropes.set_motion(motion);
-  impl_->forget_forces();
-}
+void CableSystem::wind(std::int32_t rope, const RopeMotion& motion) { impl_->ropes.wind(rope, motion); }
 void CableSystem::set_wrinkling_moment(std::int32_t material, double moment) {
+  if (moment == impl_->wrinkling.moment(material)) return;
   const double before = impl_->wrinkling.energy(impl_->coordinates);
   impl_->wrinkling.set_moment(material, moment);
   impl_->forget_forces();
   impl_->input_work += impl_->wrinkling.energy(impl_->coordinates) - before;
 }
 void CableSystem::set_friction(double coefficient) {
-  impl_->forget_forces();
-  impl_->contacts.set_friction(coefficient);
-  if (impl_->cord_contacts) impl_->cord_contacts->set_friction(coefficient);
-  if (impl_->body_contacts) impl_->body_contacts->set_friction(coefficient);
+  if (coefficient != impl_->friction) impl_->set_friction(coefficient);
+}
+void CableSystem::Impl::set_friction(double coefficient) {
+  friction = coefficient;
+  forget_forces();
+  contacts.set_friction(coefficient);
+  if (cord_contacts) cord_contacts->set_friction(coefficient);
+  if (body_contacts) body_contacts->set_friction(coefficient);
 }
 
 const Eigen::Vector3d& CableSystem::contact_impulse(std::int32_t body) const { return impl_->impulses[body]; }
@@ -452,6 +463,10 @@ void CableSystem::visit_state(const std::function<void(double&)>& visit) {
   }
   for (BodyControl& control : s.controls) control.visit_state(visit_number);
   for (Eigen::Vector3d& impulse : s.impulses) visit_vector(impulse);
+  double friction = s.friction;
+  visit_number(friction);
+  if (friction != s.friction) s.set_friction(friction);
+  s.wrinkling.visit_state(visit_number);
   double steps = static_cast<double>(s.steps);
   double reference_step = s.reference_step;
   for (double* value :

@@ -117,16 +117,18 @@ class CableSystem {
   // common centre of mass of the body and its attachments.
   RigidMotion motion(std::int32_t body) const;
   const Wrench& exerted(std::int32_t body) const;
-  const RopeMotion& rope_motion(std::int32_t rope) const;
+  const RopeMotion& rope_motion(std::int32_t rope) const;  // at the present time
 
   // Displaces the free nodes (m, by node). To be called before the first step: energies count from the displaced state.
   void displace(std::span<const Eigen::Vector3d> displacements);
   // Sets what acts on a body from outside, from now on.
   void control(std::int32_t body, const BodyControl& control);
-  // Replaces the winding law of all ropes from now on. The law returns the motion at a time (s).
-  void set_rope_motion(const std::function<RopeMotion(double)>& motion);
+  // Winds a rope: sets its motion at the end of the next step. It must follow from the present motion without a jump of
+  // the length. Without this call a rope keeps its rate and acceleration. The work of winding counts as energy input.
+  void wind(std::int32_t rope, const RopeMotion& motion);
+  // Sets the coefficient of friction of all contacts.
   void set_friction(double coefficient);
-  // Sets the wrinkling moment (N m) of the rods of a material. The change of their energy counts as input work.
+  // Sets the wrinkling moment (N m) of the rods of a material. The change of their energy counts as energy input.
   void set_wrinkling_moment(std::int32_t material, double moment);
 
   // Impulse (N s) that contact with cables has given to a body since the start.

@@ -53,6 +53,7 @@ struct CableSystem::Impl {
   std::vector<double> element_length;
   std::vector<double> wave_speed;          // m/s, by material: sqrt(EA/m)
   AlignedVector<double> wave_rate;         // 1/s^2, by element, in whole blocks: (wave speed/length)^2
+  AlignedVector<double> unpaired_rate;     // the same; 0 for elements with a strain partner
   AlignedVector<double> moving_mass;       // by coordinate: mass of free coordinates; 0 for all others
   std::vector<double> mass_without_ropes;  // by entry of ropes.massive_coordinates(): mass of everything but the ropes
   std::optional<ConsistentMass> consistent_mass;
@@ -64,6 +65,7 @@ struct CableSystem::Impl {
   AlignedVector<HingeBlock> hinges;
   std::vector<DynamicBody> bodies;
   std::vector<BodyControl> controls;
+  double friction;  // coefficient of all contacts
   RopeDynamics ropes;
   RodWrinkling wrinkling;
   ContactSolver contacts;
@@ -120,6 +122,7 @@ struct CableSystem::Impl {
   void collect_mass();
   void collect_hinges();
   void update_ropes();
+  void set_friction(double coefficient);
   void set_length(std::size_t element, double length);
   bool moves(std::int32_t coordinate) const;
   bool ends_at_strain_partner(const BatchElement& element) const;

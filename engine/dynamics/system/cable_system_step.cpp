@@ -302,7 +302,7 @@ void CableSystem::Impl::step(double dt) {
   move_coordinates(velocities, coordinates, kick, dt);
   ropes_change += ropes.energy_change(coordinates, velocities);
   input_work -= 0.5 * ropes_change;
-  ropes.finish_step();
+  ropes.finish_step(dt);
   for (std::size_t b = 0; b < bodies.size(); ++b) input_work += step_body(b, kick, dt);
   for (DynamicBody& body : bodies) body.move_attachments(coordinates, velocities);
   const contact_kernel::ContactPower after =

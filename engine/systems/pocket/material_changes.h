@@ -7,41 +7,31 @@
 #include <array>
 #include <functional>
 
+#include "engine/control/controller.h"
 #include "engine/control/gradual_change.h"
-#include "engine/dynamics/system/cable_system.h"
 #include "engine/scenario/scenario.h"
-#include "engine/systems/pocket/pocket.h"
 
 namespace netpocket {
 
-class MaterialChanges {
+class MaterialChanges : public Controller {
  public:
-  // `system` must have been made from the pocket's model of that scenario, and must outlive this.
-  MaterialChanges(const Pocket& pocket, CableSystem& system, const Scenario& scenario);
+  // `lower_rods`, `upper_rods`: indices of the rods' materials, below and above the kinks.
+  MaterialChanges(const Scenario& scenario, std::int32_t lower_rods, std::int32_t upper_rods);
 
-  // Begins the change to the values of another scenario at `now` (s).
-  void change(const Scenario& scenario, double now);
-  // To be called before each step: gives the system the values at `time` (s).
-  void apply(double time);
-
-  // Gives every number of the state to `visit`, which may change it; the system is then given the values of that state.
-  // To be called before CableSystem::visit_state, which restores the energy account.
-  void visit_state(const std::function<void(double&)>& visit);
+  void update(const Measurements& measurements, double interval, Commands& commands) override;
+  void change(const Scenario& scenario, double now) override;
+  void visit_state(const std::function<void(double&)>& visit) override;
 
  private:
   struct Rods {
     std::int32_t material;
     double moment;           // N m, wrinkling moment of the scenario
     GradualChange weakness;  // 1/(N m), 1/moment; 0 for rods that do not wrinkle
-    double applied;          // weakness that the system has
+
+    double moment_at(double time) const;
   };
 
-  void apply_friction(double friction);
-  void apply_weakness(Rods& rods, double weakness);
-
-  CableSystem& system_;
   GradualChange friction_;
-  double applied_friction_;
   std::array<Rods, 2> rods_;  // below and above the kinks
 };
 

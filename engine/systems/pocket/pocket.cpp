@@ -8,7 +8,6 @@
 #include <stdexcept>
 #include <variant>
 
-#include "engine/control/closing_law.h"
 #include "engine/math/rotation.h"
 #include "engine/scenario/target_shape.h"
 #include "engine/state/pocket_groups.h"
@@ -239,17 +238,10 @@ void PocketBuilder::add_closing_ropes() {
   const SectorThread thread =
       sectors_.add_thread({tip, tip.of_next()}, {scenario_.closing.elements}, rope_, PocketGroup::closing_ropes,
                           [](int sector) { return fmt::format("closing rope {}", sector + 1); });
-  double first_open = 0;  // m, of the first sector
   for (int sector = 0; sector < sectors_.sectors(); ++sector) {
     const double open = (sectors_.position(tip.of_next(), sector) - sectors_.position(tip, sector)).norm();
-    VariableRope rope;
+    VariableRope rope{{}, {open}};
     for (const std::int32_t local : thread.elements) rope.elements.push_back(sectors_.element(local, sector));
-    if (sector == 0) first_open = open;
-    if (sector > 0 && open == first_open) rope.same_motion_as = 0;
-    rope.motion = [schedule = ClosingSchedule(scenario_.closing, open)](double time) {
-      const ClosingState state = schedule.at(time);
-      return RopeMotion{state.length, state.speed, state.acceleration};
-    };
     pocket_.model.ropes.push_back(std::move(rope));
   }
 }

@@ -3,8 +3,9 @@
 namespace netpocket {
 
 QStringList differing_keys(const Scenario& a, const Scenario& b) {
+  if (a.system != b.system) return {"system"};  // its tables are others, so nothing else can be compared
   QStringList keys;
-  for (const Parameter& parameter : parameters()) {
+  for (const Parameter& parameter : parameters(a.system)) {
     if (parameter.get(a) != parameter.get(b)) keys << QString::fromUtf8(parameter.key.data(), parameter.key.size());
   }
   return keys;

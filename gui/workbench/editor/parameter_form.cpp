@@ -44,12 +44,24 @@ QSize ParameterForm::minimumSizeHint() const {
   return {widget()->minimumSizeHint().width() + bar, QScrollArea::minimumSizeHint().height()};
 }
 
+// Another kind of capture system has other parameters.
+void ParameterForm::rebuild() {
+  sections_.clear();
+  rows_.clear();
+  groups_.clear();
+  preview_ = nullptr;
+  // The edit that leads here may come from one of the rows.
+  if (QWidget* old = takeWidget()) old->deleteLater();
+  build();
+}
+
 void ParameterForm::build() {
+  system_ = document_->scenario().system;
   auto* content = new QWidget(this);
   auto* layout = new QVBoxLayout(content);
   layout->setContentsMargins(0, 0, 0, 8);
   layout->setSpacing(0);
-  for (const ParameterGroup& group : parameter_groups()) {
+  for (const ParameterGroup& group : parameter_groups(system_)) {
     auto* box = new GroupBox(title(group), from_utf8(group.help), content);
     Section section{box, {}};
     // In front of its parameters, so that it stays in sight while they are edited.
@@ -57,7 +69,7 @@ void ParameterForm::build() {
       preview_ = new ClosingPreview(box);
       box->add(preview_);
     }
-    for (const Parameter& parameter : parameters_of(group)) add_row(section, parameter);
+    for (const Parameter& parameter : parameters_of(group, system_)) add_row(section, parameter);
     layout->addWidget(box);
     groups_[from_utf8(group.name)] = box;
     sections_.push_back(std::move(section));
@@ -67,7 +79,8 @@ void ParameterForm::build() {
 }
 
 void ParameterForm::add_row(Section& section, const Parameter& parameter) {
-  auto* row = new ParameterRow(parameter, section.box);
+  if (parameter.key == "system" && parameter.choices.size() == 1) return;  // nothing to choose
+  auto* row = new ParameterRow(parameter, section.box, system_);
   section.box->add(row);
   section.rows.push_back(row);
   rows_[from_utf8(parameter.key)] = row;
@@ -93,13 +106,14 @@ void ParameterForm::edit(const Parameter& parameter, const ParameterValue& value
 void ParameterForm::try_out(const Parameter& parameter, const ParameterValue& value) {
   Scenario scenario = document_->scenario();
   parameter.set(scenario, value);
-  preview_->show_scenario(scenario);
+  if (preview_ != nullptr) preview_->show_scenario(scenario);
   emit tried(scenario);
 }
 
 void ParameterForm::refresh() {
+  if (document_->scenario().system != system_) rebuild();
   for (const auto& [key, row] : rows_) row->show_scenario(document_->scenario(), document_->saved_scenario());
-  preview_->show_scenario(document_->scenario());
+  if (preview_ != nullptr) preview_->show_scenario(document_->scenario());
   show_counts();
   emit tried(document_->scenario());
 }
@@ -108,8 +122,8 @@ void ParameterForm::show_problems() {
   std::map<QString, QStringList> problems;
   for (const Diagnostic& diagnostic : document_->diagnostics().list()) {
     // Some problems are those of a group; they stand at its first parameter.
-    const auto* group = find_parameter_group(diagnostic.key);
-    const auto key = group && !group->name.empty() ? from_utf8(parameters_of(*group).front().key)
+    const auto* group = find_parameter_group(diagnostic.key, system_);
+    const auto key = group && !group->name.empty() ? from_utf8(parameters_of(*group, system_).front().key)
                                                    : QString::fromStdString(diagnostic.key);
     QString message = QString::fromStdString(diagnostic.message);
     if (!message.isEmpty()) message[0] = message[0].toUpper();
@@ -144,7 +158,7 @@ int ParameterForm::filter(const QString& words, bool changed_only) {
     section.box->force_open(filters);
     shown += shown_here;
   }
-  preview_->setVisible(!filters || words.contains("clos", Qt::CaseInsensitive));
+  if (preview_ != nullptr) preview_->setVisible(!filters || words.contains("clos", Qt::CaseInsensitive));
   return shown;
 }
 

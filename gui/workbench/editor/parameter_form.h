@@ -33,6 +33,7 @@ class ParameterForm : public QScrollArea {
   // Null if there is no such parameter.
   ParameterRow* row(const QString& key) const;
   GroupBox* group(const QString& name) const;
+  // Null if the system has no closing law.
   ClosingPreview* closing_preview() const { return preview_; }
   // Changed values that the run in progress takes up only after a restart.
   QStringList keys_that_need_restart() const;
@@ -53,6 +54,7 @@ class ParameterForm : public QScrollArea {
   };
 
   void build();
+  void rebuild();
   void add_row(Section& section, const Parameter& parameter);
   void edit(const Parameter& parameter, const ParameterValue& value, bool stepped);
   void try_out(const Parameter& parameter, const ParameterValue& value);
@@ -61,11 +63,12 @@ class ParameterForm : public QScrollArea {
   void show_counts();
 
   ScenarioDocument* document_;
+  std::string system_;  // kind of capture system whose parameters are shown
   std::vector<Section> sections_;
   std::map<QString, ParameterRow*> rows_;
   std::map<QString, GroupBox*> groups_;
-  ClosingPreview* preview_ = nullptr;
-  QTimer stepping_;  // runs while steps follow each other and so belong together
+  ClosingPreview* preview_ = nullptr;  // null: the system has no closing law
+  QTimer stepping_;                    // runs while steps follow each other and so belong together
 };
 
 }  // namespace netpocket

@@ -31,7 +31,7 @@ int bold_width(const QFontMetrics& metrics, const QString& words) {
 
 }  // namespace
 
-ParameterRow::ParameterRow(const Parameter& parameter, QWidget* parent)
+ParameterRow::ParameterRow(const Parameter& parameter, QWidget* parent, std::string_view system)
     : QWidget(parent),
       parameter_(parameter),
       field_(ParameterField::create(parameter, this)),
@@ -42,7 +42,8 @@ ParameterRow::ParameterRow(const Parameter& parameter, QWidget* parent)
       reset_(new QToolButton(this)),
       problem_(new QLabel(this)),
       value_(parameter.get(default_scenario())),
-      saved_(value_) {
+      saved_(value_),
+      system_(system) {
   const QString tip = tool_tip(parameter);
   label_->setToolTip(tip);
   field_->setToolTip(tip);
@@ -61,7 +62,7 @@ ParameterRow::ParameterRow(const Parameter& parameter, QWidget* parent)
 
   QStringList searched = {label(parameter),           from_utf8(parameter.key),
                           from_utf8(parameter.help),  from_utf8(parameter.source),
-                          unit_words(parameter.unit), title(*find_parameter_group(parameter.group()))};
+                          unit_words(parameter.unit), title(*find_parameter_group(parameter.group(), system))};
   for (const std::string_view choice : parameter.choices) searched << from_utf8(choice);
   search_text_ = searched.join('\n').toLower();
 
@@ -120,15 +121,16 @@ void ParameterRow::resizeEvent(QResizeEvent* event) {
   place_field();
 }
 
-int ParameterRow::label_width(const QFontMetrics& metrics) {
+int ParameterRow::label_width(const QFontMetrics& metrics) const {
   int widest = 0;
-  for (const Parameter& parameter : parameters()) widest = std::max(widest, bold_width(metrics, label(parameter)));
+  for (const Parameter& parameter : parameters(system_))
+    widest = std::max(widest, bold_width(metrics, label(parameter)));
   return widest;
 }
 
-int ParameterRow::unit_width(const QFontMetrics& metrics) {
+int ParameterRow::unit_width(const QFontMetrics& metrics) const {
   int widest = 0;
-  for (const Parameter& parameter : parameters()) {
+  for (const Parameter& parameter : parameters(system_)) {
     widest = std::max(widest, metrics.horizontalAdvance(unit_of(parameter, default_scenario())));
   }
   return widest + 2;
@@ -177,7 +179,7 @@ void ParameterRow::show_reset() {
 }
 
 void ParameterRow::show_effect() {
-  const EditEffect effect = edit_effect(parameter_);
+  const EditEffect effect = edit_effect(parameter_, system_);
   needs_restart_ = running_ && effect == EditEffect::restart && *running_ != value_;
   effect_->clear();
   effect_->setToolTip({});

@@ -18,7 +18,8 @@ class ParameterField;
 class ParameterRow : public QWidget {
   Q_OBJECT
  public:
-  explicit ParameterRow(const Parameter& parameter, QWidget* parent = nullptr);
+  // `system`: kind of capture system that the parameter belongs to.
+  explicit ParameterRow(const Parameter& parameter, QWidget* parent = nullptr, std::string_view system = kPocketSystem);
 
   const Parameter& parameter() const { return parameter_; }
   ParameterField* field() const { return field_; }
@@ -42,8 +43,8 @@ class ParameterRow : public QWidget {
   QToolButton* reset_button() const { return reset_; }
 
   // Widths of the columns, so that all rows of a form align.
-  static int label_width(const QFontMetrics& metrics);
-  static int unit_width(const QFontMetrics& metrics);
+  int label_width(const QFontMetrics& metrics) const;
+  int unit_width(const QFontMetrics& metrics) const;
 
   QSize minimumSizeHint() const override;
 
@@ -73,6 +74,7 @@ class ParameterRow : public QWidget {
   QLabel* problem_;
   ParameterValue value_;
   ParameterValue saved_;
+  std::string system_;
   std::optional<ParameterValue> running_;
   std::optional<QString> unused_;
   QString typed_problem_;

@@ -142,9 +142,10 @@ std::optional<QString> why_unused(const Parameter& parameter, const Scenario& sc
   return reason;
 }
 
-EditEffect edit_effect(const Parameter& parameter) {
+EditEffect edit_effect(const Parameter& parameter, std::string_view system) {
+  if (parameter.key == "system") return EditEffect::restart;
   if (parameter.group().empty()) return EditEffect::none;
-  return acts_at_once(parameter.key) ? EditEffect::at_once : EditEffect::restart;
+  return acts_at_once(parameter.key, system) ? EditEffect::at_once : EditEffect::restart;
 }
 
 }  // namespace netpocket

@@ -37,6 +37,6 @@ std::optional<QString> why_unused(const Parameter& parameter, const Scenario& sc
 enum class EditEffect { none, at_once, restart };
 
 // Names have no effect; strategy acts at once (engine/scenario/strategy.h); everything else makes another model.
-EditEffect edit_effect(const Parameter& parameter);
+EditEffect edit_effect(const Parameter& parameter, std::string_view system = kPocketSystem);
 
 }  // namespace netpocket

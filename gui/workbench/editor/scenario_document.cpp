@@ -80,7 +80,8 @@ Diagnostics ScenarioDocument::set_text(const QString& text) {
   if (!result.ok()) return result.diagnostics;
   if (bytes == state_->text) return {};
   const QStringList keys = differing_keys(state_->scenario, result.scenario);
-  const Parameter* only = keys.size() == 1 ? find_parameter(keys.front().toStdString()) : nullptr;
+  const Parameter* only =
+      keys.size() == 1 ? find_parameter(keys.front().toStdString(), result.scenario.system) : nullptr;
   const QString name = only ? tr("set %1 to %2").arg(full_label(*only), value_words(*only, only->get(result.scenario)))
                        : keys.isEmpty() ? tr("edit the text")
                                         : tr("edit the text (%n values)", nullptr, keys.size());

@@ -112,7 +112,10 @@ void ScenarioEditor::follow_edit(const QStringList& keys) {
   if (!running_) return;
   QStringList strategy;
   for (const QString& key : keys) {
-    if (edit_effect(*find_parameter(key.toStdString())) == EditEffect::at_once) strategy << key;
+    const Parameter* parameter = find_parameter(key.toStdString(), document_->scenario().system);
+    if (parameter != nullptr && edit_effect(*parameter, document_->scenario().system) == EditEffect::at_once) {
+      strategy << key;
+    }
   }
   if (!strategy.isEmpty()) emit strategy_edited(strategy);
 }

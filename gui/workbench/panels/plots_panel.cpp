@@ -14,6 +14,7 @@
 #include "gui/workbench/panels/rich_label.h"
 #include "gui/workbench/panels/tones.h"
 #include "render/figures/figure_file.h"
+#include "render/figures/own_channels.h"
 #include "render/figures/paper_figures.h"
 
 namespace netpocket {
@@ -108,8 +109,18 @@ void PlotsPanel::add_figures() {
   figures_->addItem(tr("Tensions"), "tension");
 }
 
+// Figures that no run has channels for are not offered.
+void PlotsPanel::offer_own_channels() {
+  constexpr const char* kOwn = "own_channels";
+  const bool suits = std::ranges::any_of(runs_, has_own_channels);
+  const int index = figures_->findData(kOwn);
+  if (!suits && index >= 0) figures_->removeItem(index);
+  if (suits && index < 0) figures_->addItem(tr("Channels of the system"), kOwn);
+}
+
 void PlotsPanel::set_series(std::vector<RunSeries> runs) {
   runs_ = std::move(runs);
+  offer_own_channels();
   request_redraw();
 }
 
@@ -119,13 +130,15 @@ void PlotsPanel::append(std::size_t run, const std::vector<double>& channels) {
   request_redraw();
 }
 
-void PlotsPanel::set_phases(std::size_t run, double closing_end, double towing_start) {
+void PlotsPanel::describe(std::size_t run, const RunSeries& series) {
   if (run >= runs_.size()) return;
-  const auto same = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
-  RunSeries& series = runs_[run];
-  if (same(series.closing_end, closing_end) && same(series.towing_start, towing_start)) return;
-  series.closing_end = closing_end;
-  series.towing_start = towing_start;
+  RunSeries& shown = runs_[run];
+  if (shown.channel_list == series.channel_list && shown.phases == series.phases) return;
+  if (shown.channel_list != series.channel_list) {
+    shown.begin(series.channel_list);
+    offer_own_channels();
+  }
+  shown.phases = series.phases;
   request_redraw();
 }
 

@@ -29,7 +29,8 @@ class PlotsPanel : public QWidget {
   void append(std::size_t run, const std::vector<double>& channels);
 
   // When closing ends and towing starts in a run, s; NaN: unknown or never. Without effect if there is no such run.
-  void set_phases(std::size_t run, double closing_end, double towing_start);
+  // Takes over the channels and the phases of a run, which are known once it has begun. Other channels begin anew.
+  void describe(std::size_t run, const RunSeries& series);
 
   // Panels of things picked in the view, over time; offered as a figure of its own when there are any.
   void set_picked(std::vector<Panel> panels);
@@ -58,6 +59,7 @@ class PlotsPanel : public QWidget {
 
  private:
   void add_figures();
+  void offer_own_channels();
   void request_redraw();
   void redraw();
   Figure make_figure() const;

@@ -50,6 +50,16 @@ bool Run::can_go_on() const {
   return end_time() < scenario.output.end_time - kRounding;
 }
 
+namespace {
+
+QString capitalised(const std::string& name) {
+  QString text = QString::fromStdString(name);
+  if (!text.isEmpty()) text[0] = text[0].toUpper();
+  return text;
+}
+
+}  // namespace
+
 std::vector<TimeMark> time_marks(const Run& run) {
   using Kind = TimeMark::Kind;
   std::vector<TimeMark> marks = run.notes;
@@ -57,10 +67,12 @@ std::vector<TimeMark> time_marks(const Run& run) {
   if (const Peak peak = peak_force(run.series); peak.force > 0) {
     marks.push_back({Kind::peak_force, peak.time, tr("Peak contact force, %1 N").arg(peak.force, 0, 'g', 3)});
   }
-  if (std::isfinite(run.series.closing_end))
-    marks.push_back({Kind::closing_end, run.series.closing_end, tr("Closing ends")});
-  if (std::isfinite(run.series.towing_start))
-    marks.push_back({Kind::tow_start, run.series.towing_start, tr("Towing starts")});
+  for (const Phase& phase : run.series.phases) {
+    if (phase.at_rest) continue;
+    const QString name = capitalised(phase.name);
+    if (phase.begin > 0) marks.push_back({Kind::phase_start, phase.begin, tr("%1 starts").arg(name)});
+    if (std::isfinite(phase.end)) marks.push_back({Kind::phase_end, phase.end, tr("%1 ends").arg(name)});
+  }
   std::ranges::stable_sort(marks, {}, &TimeMark::time);
   return marks;
 }

@@ -235,8 +235,7 @@ void RunLibrary::begin(RunId id, std::shared_ptr<const Structure> structure, con
   run->scenario = scenario;
   const RunOrigin origin = run_origin(scenario, origin_);
   if (run->frame_count() == 0) run->series.begin(run->structure->channels);
-  run->series.closing_end = origin.closing_end;
-  run->series.towing_start = origin.towing_start;
+  run->series.phases = origin.phases;
   if (run->parent < 0) {
     store([file = run->file, origin, structure = run->structure] { file->begin(origin, *structure); });
   }
@@ -295,8 +294,7 @@ void RunLibrary::set_scenario(RunId id, const Scenario& scenario) {
   run->scenario = scenario;
   const RunOrigin origin = run_origin(scenario, origin_);
   if (run->frame_count() == 0) run->series.begin(run->structure->channels);
-  run->series.closing_end = origin.closing_end;
-  run->series.towing_start = origin.towing_start;
+  run->series.phases = origin.phases;
   emit run_changed(id);
 }
 

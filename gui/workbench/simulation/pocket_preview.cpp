@@ -1,6 +1,6 @@
 #include "gui/workbench/simulation/pocket_preview.h"
 
-#include "engine/systems/pocket/pocket.h"
+#include "engine/systems/capture_system.h"
 
 namespace netpocket {
 namespace {
@@ -20,7 +20,7 @@ Snapshot snapshot_at_rest(const Model& model) {
   snapshot.tension.setZero(static_cast<Eigen::Index>(model.elements.size()));
   snapshot.strain.setZero(snapshot.tension.size());
   for (const VariableRope& rope : model.ropes) {
-    snapshot.rope_element_length.push_back(rope.motion(0).length / static_cast<double>(rope.elements.size()));
+    snapshot.rope_element_length.push_back(rope.motion.length / static_cast<double>(rope.elements.size()));
   }
   for (const ModelBody& body : model.bodies) snapshot.bodies.push_back(body.state);
   return snapshot;
@@ -29,9 +29,9 @@ Snapshot snapshot_at_rest(const Model& model) {
 }  // namespace
 
 PocketPreview preview_pocket(const Scenario& scenario) {
-  const Pocket pocket = build_pocket(scenario);
-  return {std::make_shared<const Structure>(pocket.structure),
-          std::make_shared<const Snapshot>(snapshot_at_rest(pocket.model))};
+  const CaptureSystem system = build_capture_system(scenario);
+  return {std::make_shared<const Structure>(system.structure),
+          std::make_shared<const Snapshot>(snapshot_at_rest(system.model))};
 }
 
 }  // namespace netpocket

@@ -34,9 +34,9 @@ QColor mark_color(TimeMark::Kind kind, const QPalette& palette) {
       return dark ? QColor(86, 180, 233) : QColor(0, 114, 178);
     case TimeMark::Kind::peak_force:
       return dark ? QColor(255, 140, 70) : QColor(213, 94, 0);
-    case TimeMark::Kind::closing_end:
+    case TimeMark::Kind::phase_end:
       return dark ? QColor(60, 200, 160) : QColor(0, 140, 105);
-    case TimeMark::Kind::tow_start:
+    case TimeMark::Kind::phase_start:
       return dark ? QColor(225, 150, 195) : QColor(180, 85, 140);
     case TimeMark::Kind::branch:
     case TimeMark::Kind::strategy:

@@ -1,6 +1,8 @@
 // V3 for the whole pocket: momenta of a free capture with closing ropes, contact and friction; energy audit.
 
 #include "engine/capture/simulation.h"
+#include "engine/control/closing_control.h"
+#include "engine/control/control_loop.h"
 #include "engine/scenario/check_scenario.h"
 #include "engine/systems/pocket/pocket.h"
 #include "tests/engine/dynamics/models.h"
@@ -36,10 +38,19 @@ struct CaptureMomentum {
 CaptureMomentum capture(const Scenario& scenario) {
   const Pocket pocket = build_pocket(scenario);
   CableSystem system(pocket.model);
+  std::vector<double> open_lengths;
+  for (const VariableRope& rope : pocket.model.ropes) open_lengths.push_back(rope.motion.length);
+  ControlLoop controls(system);
+  controls.add(std::make_unique<ClosingControl>(scenario.closing, open_lengths));
   const double dt = 0.2 * system.stable_step().step;  // cords will be bent
+  controls.before_step(dt);
   const Momentum start = step_and_measure_momentum(system, dt);
-  while (system.time() < 3.5) system.step(dt);
+  while (system.time() < 3.5) {
+    controls.before_step(dt);
+    system.step(dt);
+  }
   EXPECT_FALSE(system.fault()) << *system.fault();
+  controls.before_step(dt);
   const Momentum end = step_and_measure_momentum(system, dt);
   return {system.contact_impulse(pocket.target).norm(), (end.linear - start.linear).norm(),
           (end.angular - start.angular).norm(), end.linear_scale, end.angular_scale};

@@ -207,8 +207,8 @@ TEST(Caution, KeepsAccountOfTheEnergyOfShortWaves) {
   EXPECT_LT(cautious.channel(Channel::time_step), 0.5 * stable);
 }
 
-// Ropes wound in half a second tear the tips of very heavy rods inwards and vibrate: within milliseconds their bends allow
-// half the step they allowed before.
+// Ropes wound in half a second tear the tips of very heavy rods inwards and vibrate: within milliseconds their bends
+// allow half the step they allowed before.
 Scenario whipping_ropes() {
   Scenario s;
   s.pocket.rod_count = 6;

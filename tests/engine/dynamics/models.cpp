@@ -67,10 +67,6 @@ CableSystem relax(const Model& model, const SystemOptions& options, double kinet
   }
 }
 
-double rope_element_length(const Model& model, std::size_t rope, double time) {
-  return model.ropes[rope].motion(time).length / static_cast<double>(model.ropes[rope].elements.size());
-}
-
 double total_mass(const Model& model) {
   double mass = model.cable_mass();
   for (const ModelBody& body : model.bodies) mass += body.mass;
@@ -109,7 +105,8 @@ void add(Momentum& sum, const Eigen::Vector3d& arm, const Eigen::Vector3d& momen
 Momentum step_and_measure_momentum(CableSystem& system, double dt, ElementEvaluation evaluation) {
   const Model& model = system.model();
   const Coordinates before(system);
-  const double time = system.time();
+  std::vector<RopeMotion> ropes;
+  for (std::size_t r = 0; r < model.ropes.size(); ++r) ropes.push_back(system.rope_motion(static_cast<int>(r)));
   system.step(dt);
   const Coordinates now(system);
 
@@ -135,17 +132,17 @@ Momentum step_and_measure_momentum(CableSystem& system, double dt, ElementEvalua
     const double mass_per_length = model.material_of(rope.elements.front()).section.mass_per_length;
     for (std::size_t i = 0; i < rope.elements.size(); ++i) {
       const ModelElement& e = model.elements[rope.elements[i]];
-      length[rope.elements[i]] = rope_element_length(model, r, time);
+      length[rope.elements[i]] = ropes[r].length / static_cast<double>(rope.elements.size());
       on_rope[rope.elements[i]] = 1;
       ElementCoordinates q = ElementCoordinates::Zero();
       q.col(0) = before.node[e.node1];
       q.col(2) = before.node[e.node2];
       const ElementCoordinates flow =
-          flow_momentum(mass_per_length, rope_span(rope.motion(time), rope.share_at_start, i, rope.elements.size()), q);
+          flow_momentum(mass_per_length, rope_span(ropes[r], rope.share_at_start, i, rope.elements.size()), q);
       add(sum, now.node[e.node1], flow.col(0), true);
       add(sum, now.node[e.node2], flow.col(2), true);
     }
-    const double wound = mass_per_length * (rope.motion(0).length - rope.motion(time).length);
+    const double wound = mass_per_length * (rope.motion.length - ropes[r].length);
     add_node(model.elements[rope.elements.front()].node1, rope.share_at_start * wound);
     add_node(model.elements[rope.elements.back()].node2, (1 - rope.share_at_start) * wound);
   }

@@ -34,9 +34,6 @@ CableSystem relax(const Model& model, const SystemOptions& options, double kinet
 
 // Mass of everything, kg.
 double total_mass(const Model& model);
-// Material length of one element of a rope, m.
-double rope_element_length(const Model& model, std::size_t rope, double time);
-
 // Momenta of everything in a system over its last step.
 struct Momentum {
   Eigen::Vector3d linear = Eigen::Vector3d::Zero();   // N s

@@ -28,7 +28,7 @@ Model sound_model() {
   const auto d = model.add_node({4, 3, 0});
   VariableRope rope;
   rope.elements = model.add_straight_cable(c, d, 1, material);
-  rope.motion = [](double) { return RopeMotion{2, 0, 0}; };
+  rope.motion.length = 2;
   model.ropes.push_back(rope);
   model.add_body({.name = "body",
                   .shape = Sphere{1},
@@ -102,7 +102,9 @@ TEST(FindFault, NamesNumbersThatCannotBe) {
             "body 0 has an inertia that is not positive definite");
   EXPECT_EQ(fault_after([](Model& m) { m.hinges[0].stiffness = kNone; }),
             "hinge 0 has a negative or infinite stiffness or damping");
-  EXPECT_EQ(fault_after([](Model& m) { m.ropes[0].motion = nullptr; }), "rope 0 has no law of motion");
+  EXPECT_EQ(fault_after([](Model& m) { m.ropes[0].motion.length = 0; }), "rope 0 has no length at the start");
+  EXPECT_EQ(fault_after([](Model& m) { m.ropes[0].motion.rate = std::nan(""); }),
+            "rope 0 has a rate or acceleration that is not finite");
   EXPECT_EQ(fault_after([](Model& m) { m.ropes[0].share_at_start = 1.5; }),
             "rope 0 has a share at its start outside 0 to 1");
 }

@@ -119,8 +119,7 @@ TEST(Recording, KeepsOriginAndOutcome) {
   EXPECT_EQ(origin.command, expected.command);
   EXPECT_EQ(origin.seed, 7);
   EXPECT_EQ(origin.threads, 2);
-  EXPECT_EQ(origin.closing_end, 10);
-  EXPECT_EQ(origin.towing_start, 12.5);
+  EXPECT_EQ(origin.phases, pocket_phases(0, 10, 12.5));
   EXPECT_EQ(recording.status().reason, RunReason::finished);
   EXPECT_EQ(recording.status().message, "The run is complete.");
   EXPECT_EQ(recording.statistics().steps, 123456789012);
@@ -139,7 +138,7 @@ TEST(Recording, TakesAModelWithoutRopesBodiesAndElements) {
   Recorder(folder.file("point.h5"), RunOrigin(), structure, false).write(snapshot);
   const Recording recording(folder.file("point.h5"));
   expect_same(recording.frame(0), snapshot);
-  EXPECT_TRUE(std::isnan(recording.origin().towing_start));
+  EXPECT_TRUE(std::isnan(phase_begin(recording.origin().phases, kTowing)));
   EXPECT_EQ(recording.origin().scenario_text, "");
 }
 

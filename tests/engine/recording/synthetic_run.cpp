@@ -92,8 +92,7 @@ RunOrigin synthetic_origin() {
   origin.command = "netpocket run case1.toml";
   origin.seed = 7;
   origin.threads = 2;
-  origin.closing_end = 10;
-  origin.towing_start = 12.5;
+  origin.phases = pocket_phases(0, 10, 12.5);
   return origin;
 }
 

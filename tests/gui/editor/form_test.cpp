@@ -50,6 +50,7 @@ class Form : public testing::Test {
 
 TEST_F(Form, HasARowForEveryParameter) {
   for (const Parameter& p : parameters()) {
+    if (p.key == "system") continue;  // there is one kind only, so there is nothing to choose
     ParameterRow* row = editor.form()->row(QString::fromStdString(std::string(p.key)));
     ASSERT_TRUE(row) << p.key;
     EXPECT_FALSE(row->field()->toolTip().isEmpty());

@@ -120,7 +120,7 @@ end_time = 14
     RunOrigin origin;
     origin.scenario_name = "made_up";
     origin.scenario_text = write_scenario_text(Scenario{});
-    origin.closing_end = 10;
+    origin.phases = pocket_phases(0, 10, std::numeric_limits<double>::quiet_NaN());
     const Structure structure = synthetic::make_structure();
     {
       Recorder recorder(file("made_up.h5").toStdString(), origin, structure, true);

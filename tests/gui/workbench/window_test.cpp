@@ -75,7 +75,7 @@ TEST_F(WindowTest, FinishesAndJudgesTheRun) {
   ASSERT_TRUE(wait_until([&] { return !window_->findings().findings().empty(); }));
   EXPECT_EQ(window_->plots().series().size(), 1u);
   EXPECT_EQ(window_->plots().series().front().times().size(), session.live()->frame_count());
-  EXPECT_NEAR(window_->plots().series().front().closing_end, 0.8, 1e-9);
+  EXPECT_NEAR(phase_end(window_->plots().series().front().phases, kClosing), 0.8, 1e-9);
   screenshot("finished");
 }
 
@@ -96,8 +96,8 @@ TEST_F(WindowTest, StrategyEditActsOnTheRun) {
   ASSERT_FALSE(window_->document().set_value(parameter("closing.duration"), 1.5));
   auto& session = window_->session();
   ASSERT_TRUE(wait_until([&] { return session.live()->scenario.closing.duration == 1.5; }));
-  EXPECT_NEAR(session.live()->series.closing_end, 1.5, 1e-9);
-  EXPECT_NEAR(window_->plots().series().front().closing_end, 1.5, 1e-9);
+  EXPECT_NEAR(phase_end(session.live()->series.phases, kClosing), 1.5, 1e-9);
+  EXPECT_NEAR(phase_end(window_->plots().series().front().phases, kClosing), 1.5, 1e-9);
 }
 
 TEST_F(WindowTest, BranchSharesThePastAndKeepsTheOriginal) {

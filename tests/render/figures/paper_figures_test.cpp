@@ -110,7 +110,7 @@ TEST_F(PaperFigures, ColourThePhasesAsThePaperDoes) {
 
 TEST_F(PaperFigures, EndTheClosingBandWhereTowingStartsEarly) {
   RunSeries run = synthetic_run("early", 10);
-  run.towing_start = 6;
+  run.phases = pocket_phases(0, 10, 6);
   const std::vector<PhaseBand> phases = make_figure("figure05_force", {run}).panels[0].phases;
   ASSERT_EQ(phases.size(), 2u);
   EXPECT_EQ(phases[0].end, 6);
@@ -161,8 +161,7 @@ TEST_F(PaperFigures, LeaveOutWhatWasNotRecorded) {
 
 TEST_F(PaperFigures, LeaveOutPhasesThatAreNotKnown) {
   RunSeries run = synthetic_run("free", 10);
-  run.closing_end = std::numeric_limits<double>::quiet_NaN();
-  run.towing_start = std::numeric_limits<double>::quiet_NaN();
+  run.phases.clear();
   const Panel panel = make_figure("figure11_spacecraft_position", {run}).panels[0];
   EXPECT_TRUE(panel.phases.empty());
   EXPECT_EQ(panel.curves[0].x.size(), run.times().size());

@@ -30,15 +30,15 @@ TEST(RunSeries, HasTheChannelsAndPhasesOfTheRecording) {
   const std::string path = (directory / "run.h5").string();
   RunOrigin origin;
   origin.scenario_name = "case2";
-  origin.closing_end = 7.5;
+  origin.phases = pocket_phases(0, 7.5, std::numeric_limits<double>::quiet_NaN());
   record(path, origin);
 
   const Recording recording(path);
   const std::vector<RunSeries> runs = run_series({&recording});
   ASSERT_EQ(runs.size(), 1u);
   EXPECT_EQ(runs[0].name, "case2");
-  EXPECT_EQ(runs[0].closing_end, 7.5);
-  EXPECT_TRUE(std::isnan(runs[0].towing_start));
+  EXPECT_EQ(phase_end(runs[0].phases, kClosing), 7.5);
+  EXPECT_TRUE(std::isnan(phase_begin(runs[0].phases, kTowing)));
   ASSERT_EQ(runs[0].times().size(), 3u);
   EXPECT_DOUBLE_EQ(runs[0].times()[2], 0.2);
   const double contact_fy = 100.0 * static_cast<double>(Channel::contact_fy);

@@ -33,8 +33,7 @@ double ramp(double t, double begin, double length) { return std::clamp((t - begi
 RunSeries synthetic_run(const std::string& name, double closing_time) {
   RunSeries run;
   run.name = name;
-  run.closing_end = closing_time;
-  run.towing_start = kTowingStart;
+  run.phases = pocket_phases(0, closing_time, kTowingStart);
   std::mt19937 random(7);
   std::uniform_real_distribution<double> spike(0, 1);
   double target_y = 7.5;

@@ -121,8 +121,7 @@ class StoryRuns {
   static void record(const std::string& path, double closed, const Change& change, const StoryOptions& options) {
     RunOrigin origin;
     origin.scenario_name = "closing in " + std::to_string(static_cast<int>(closed)) + " s";
-    origin.closing_end = closed;
-    origin.towing_start = kTowingStart;
+    origin.phases = pocket_phases(0, closed, kTowingStart);
     Recorder recorder(path, origin, one_rod(), false);
     for (int i = 0; i * kInterval <= options.end + 1e-9; ++i) {
       Snapshot snapshot = story(i * kInterval, closed);

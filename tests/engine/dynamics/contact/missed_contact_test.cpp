@@ -106,7 +106,7 @@ class Scene {
     }
     if (!one_in(3)) return;
     const double length = 2 * half.norm(), rate = -between(0, 0.5) * length;
-    model_.ropes.push_back({elements, [=](double t) { return RopeMotion{length + rate * t, rate, 0}; }});
+    model_.ropes.push_back({elements, {length, rate}});
   }
 
   std::mt19937 generator_;

@@ -142,7 +142,7 @@ TEST_F(VerificationFullBatch, FactoredMassEqualsADenseSolve) {
   model.fix_node(cable.nodes.front());
   const auto far = model.add_node({5, 0, 0});
   const auto rope = model.add_straight_cable(cable.nodes.back(), far, 2, 0);
-  model.ropes.push_back({rope, [](double) { return RopeMotion{2, 0, 0}; }});
+  model.ropes.push_back({rope, {2}});
   const CoordinateLayout layout{static_cast<std::int32_t>(model.nodes.size()),
                                 static_cast<std::int32_t>(model.gradients.size())};
   const double m = model.materials[0].section.mass_per_length;

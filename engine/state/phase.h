@@ -1,0 +1,34 @@
+#pragma once
+// The phases of a capture, such as the closing of a net. Figures shade them, pictures name the present one, and the
+// timeline marks where they begin and end.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace netpocket {
+
+struct Phase {
+  std::string name;      // "closing"
+  double begin = 0;      // s
+  double end = 0;        // s; infinite: until the end of the run
+  bool at_rest = false;  // whether nothing is done in it, as between closing and towing
+
+  bool operator==(const Phase&) const = default;
+};
+
+// Begin and end (s) of the first phase of this name; NaN if there is none.
+double phase_begin(const std::vector<Phase>& phases, std::string_view name);
+double phase_end(const std::vector<Phase>& phases, std::string_view name);
+
+// Name of the last phase that has begun by `time` (s) and not yet ended; empty if there is none.
+std::string phase_at(const std::vector<Phase>& phases, double time);
+
+inline constexpr const char* kClosing = "closing";
+inline constexpr const char* kTowing = "towing";
+
+// The phases of a pocket: open, closing, closed, towing. Times in s; `closing_end` NaN: unknown; `towing_start` NaN: it
+// does not tow. Recordings of version 0.1 hold only these times.
+std::vector<Phase> pocket_phases(double closing_start, double closing_end, double towing_start);
+
+}  // namespace netpocket

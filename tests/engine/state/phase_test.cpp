@@ -1,0 +1,40 @@
+// The phases of a capture.
+#include "engine/state/phase.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace netpocket {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+TEST(Phases, OfAPocket) {
+  EXPECT_EQ(pocket_phases(0, 10, 12),
+            (std::vector<Phase>{{"closing", 0, 10, false}, {"closed", 10, 12, true}, {"towing", 12, kNever, false}}));
+  EXPECT_EQ(pocket_phases(1, 5, kNone),
+            (std::vector<Phase>{{"open", 0, 1, true}, {"closing", 1, 5, false}, {"closed", 5, kNever, true}}));
+  // It may tow before it is closed; and old recordings may not know when it closes.
+  EXPECT_EQ(pocket_phases(0, 10, 6), (std::vector<Phase>{{"closing", 0, 10, false}, {"towing", 6, kNever, false}}));
+  EXPECT_EQ(pocket_phases(0, kNone, 6), (std::vector<Phase>{{"towing", 6, kNever, false}}));
+  EXPECT_TRUE(pocket_phases(0, kNone, kNone).empty());
+}
+
+TEST(Phases, AreFoundByNameAndTime) {
+  const std::vector<Phase> phases = pocket_phases(1, 5, 8);
+  EXPECT_EQ(phase_begin(phases, "towing"), 8);
+  EXPECT_EQ(phase_end(phases, "closing"), 5);
+  EXPECT_TRUE(std::isnan(phase_end(phases, "folding")));
+  EXPECT_EQ(phase_at(phases, 0), "open");
+  EXPECT_EQ(phase_at(phases, 4.999), "closing");
+  EXPECT_EQ(phase_at(phases, 5), "closed");
+  EXPECT_EQ(phase_at(phases, 1e9), "towing");
+  EXPECT_EQ(phase_at(phases, -1), "");
+  EXPECT_EQ(phase_at(pocket_phases(0, 10, 6), 7), "towing");  // the later one of two that overlap
+}
+
+}  // namespace
+}  // namespace netpocket
