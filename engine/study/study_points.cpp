@@ -3,30 +3,17 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <random>
 
 #include "engine/math/power.h"
+#include "engine/sampling/halton_sequence.h"
 #include "engine/scenario/check_scenario.h"
 #include "engine/study/read_study.h"
 #include "engine/study/study.h"
 
 namespace netpocket {
 namespace {
-
-constexpr std::array<std::int64_t, kMostSampledAxes> kPrimes = {2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37};
-
-// Mirrors the digits of `index` in base `base` at the radix point. The result is in [0, 1).
-double radical_inverse(std::int64_t index, std::int64_t base) {
-  double value = 0;
-  double digit_weight = 1;
-  for (; index > 0; index /= base) {
-    digit_weight /= static_cast<double>(base);
-    value += digit_weight * static_cast<double>(index % base);
-  }
-  return value;
-}
 
 // Number at a fraction of a range.
 double between(const Axis& axis, double fraction) {
@@ -92,8 +79,8 @@ std::vector<std::vector<Setting>> halton(const Study& study) {
   std::vector<std::vector<Setting>> points(static_cast<std::size_t>(study.samples));
   for (std::size_t i = 0; i < points.size(); ++i) {
     for (std::size_t a = 0; a < study.axes.size(); ++a) {
-      const double sum = radical_inverse(static_cast<std::int64_t>(i), kPrimes[a]) + shift[a];
-      points[i].push_back({study.axes[a].key, sampled_value(study.axes[a], sum - std::floor(sum))});
+      const double fraction = shifted(radical_inverse(i, prime(static_cast<int>(a))), shift[a]);
+      points[i].push_back({study.axes[a].key, sampled_value(study.axes[a], fraction)});
     }
   }
   return points;
