@@ -34,7 +34,7 @@ SensorChannel::SensorChannel(const SensorSettings& settings, std::size_t size)
   check_sensor(settings, size);
   settings_.noise.resize(size, 0);
   settings_.bias.resize(size, 0);
-  // Late looks can bring two samples close to each other at each end of the delay, and one is taken before one is read.
+  // As many as fit into the delay with both ends, one that a late look takes before it reads, and one for round-off.
   const auto capacity = static_cast<std::size_t>(std::ceil(settings.delay * settings.rate)) + 3;
   under_way_.assign(capacity, {0, std::vector<double>(size, 0.0)});
 }

@@ -61,6 +61,13 @@ TEST(SensorChannel, HoldsAllSamplesUnderWay) {
   for (std::size_t n = 0; n < 97; ++n) EXPECT_NEAR(seen[n], 0.1 * n + (n % 2 == 0 ? 0.099 : 0.0001), 1e-9);
 }
 
+// Three samples under way, and a late look takes a fourth before it reads those that have arrived.
+TEST(SensorChannel, LateLookLosesNoSampleUnderWay) {
+  SensorChannel sensor({.rate = 10, .delay = 0.2}, 1);
+  for (const double time : {0.099, 0.1001, 0.2}) EXPECT_EQ(reading_at(sensor, time), 0.099);
+  EXPECT_EQ(reading_at(sensor, 0.305), 0.1001);
+}
+
 // Mean = bias and standard deviation = noise, uncorrelated; tolerance: 4.5 standard deviations of the estimates.
 TEST(SensorChannel, NoiseAndBiasHaveTheirStatistics) {
   constexpr int kCount = 100'000;
