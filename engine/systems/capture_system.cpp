@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <deque>
-#include <stdexcept>
 
 #include "engine/systems/pocket/pocket_system.h"
 
@@ -38,8 +37,11 @@ CaptureSystem build_capture_system(const Scenario& scenario) {
   CaptureSystem system = capture_system_kind(scenario).build(scenario);
   for (const ChannelInfo& channel : common_channels(system.spacecraft >= 0, system.target >= 0)) {
     if (!system.structure.channels->find(channel.name)) {
-      throw std::logic_error("the capture system " + scenario.system + " has no channel " + channel.name);
+      throw SystemFault("the capture system " + scenario.system + " has no channel " + channel.name);
     }
+  }
+  if (const auto fault = system.model.find_fault()) {
+    throw SystemFault("the capture system " + scenario.system + " builds a model with a fault: " + *fault);
   }
   return system;
 }

@@ -9,6 +9,7 @@
 
 #include <functional>
 #include <memory>
+#include <stdexcept>
 #include <vector>
 
 #include "engine/control/controller.h"
@@ -45,6 +46,12 @@ struct CaptureSystemKind {
   std::vector<Phase> (*phases)(const Scenario& scenario) = nullptr;
 };
 
+// A kind that builds what cannot be run; one sentence.
+class SystemFault : public std::logic_error {
+ public:
+  using std::logic_error::logic_error;
+};
+
 // Throws std::invalid_argument when a kind of this name exists.
 void register_capture_system(const CaptureSystemKind& kind);
 
@@ -53,8 +60,8 @@ std::vector<Phase> capture_phases(const Scenario& scenario);
 
 // The kind that a scenario names. Throws std::invalid_argument when there is none.
 const CaptureSystemKind& capture_system_kind(const Scenario& scenario);
-// Builds the system of a scenario; errors as CaptureSystemKind::build. Throws std::logic_error when the kind leaves out
-// a common channel.
+// Builds the system of a scenario; errors as CaptureSystemKind::build. Throws SystemFault when the model has a fault
+// (Model::find_fault) or when the kind leaves out a common channel.
 CaptureSystem build_capture_system(const Scenario& scenario);
 
 }  // namespace netpocket

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "engine/base/file_error.h"
+#include "engine/systems/capture_system.h"
 #include "gui/commands/command.h"
 #include "gui/commands/spelling.h"
 #include "gui/commands/standard_streams.h"
@@ -180,6 +181,8 @@ ExitCode run_guarded(const std::vector<std::string>& arguments) {
     return complain(ExitCode::io, error.what());
   } catch (const RenderError& error) {
     return complain(ExitCode::rendering, error.what());
+  } catch (const SystemFault& error) {
+    return complain(ExitCode::bad_input, error.what());
   } catch (const std::bad_alloc&) {
     return complain(ExitCode::unexpected, "out of memory");
   } catch (const std::exception& error) {

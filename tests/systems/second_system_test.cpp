@@ -10,6 +10,7 @@
 #include "engine/scenario/check_scenario.h"
 #include "engine/scenario/read_scenario.h"
 #include "engine/scenario/write_scenario.h"
+#include "engine/systems/capture_system.h"
 #include "tests/gui/program.h"
 #include "tests/systems/falling_net/falling_net.h"
 
@@ -174,6 +175,37 @@ TEST_F(SecondSystem, GoesThroughTheCommands) {
   run({"export", recording, "--vtp", folder_.file("vtp")});
   run({"report", recording, "-o", folder_.file("report.html")});
   EXPECT_TRUE(contains(run({"findings", recording}).out, "F1"));
+}
+
+// Faults of a kind are said before anything is stepped.
+TEST_F(SecondSystem, FaultsOfAKindAreSaid) {
+  static const SystemParameters kBroken = {.name = "broken", .title = "", .help = "", .shared_groups = {}};
+  register_capture_system(
+      {&kBroken,
+       [](const Scenario& s) {
+         CaptureSystem system;
+         if (s.output.end_time > 1) {
+           system.structure.channels = std::make_shared<const ChannelList>(std::vector<ChannelInfo>{{"time", "s", ""}});
+         } else {
+           system.model.ropes.push_back({});
+         }
+         return system;
+       },
+       [](const Scenario&) { return std::vector<Phase>(); }});
+  const auto fault = [](double end) -> std::string {
+    Scenario scenario;
+    scenario.system = "broken";
+    scenario.output.end_time = end;
+    try {
+      Simulation simulation(scenario);
+    } catch (const SystemFault& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(fault(0.5), "the capture system broken builds a model with a fault: rope 0 has no elements");
+  EXPECT_EQ(fault(2), "the capture system broken has no channel penetration_max");
+  EXPECT_THROW(register_falling_net(), std::invalid_argument);
 }
 
 TEST_F(SecondSystem, RecordsItsOwnChannelsAndPhases) {
