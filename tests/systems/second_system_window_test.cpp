@@ -4,6 +4,7 @@
 #include "gui/workbench/editor/parameter_form.h"
 #include "gui/workbench/editor/parameter_row.h"
 #include "gui/workbench/panels/plots_panel.h"
+#include "gui/workbench/viewport/viewport.h"
 #include "tests/gui/workbench/window_fixture.h"
 #include "tests/systems/falling_net/falling_net.h"
 
@@ -37,6 +38,8 @@ end_time = 0.8
   ASSERT_NE(form->row("falling_net.speed"), nullptr);
   ASSERT_TRUE(run_to(0.7));
   ASSERT_TRUE(wait_for_picture());
+  // The view that showed the pocket, which is 12 m deep, has turned to the net about the origin.
+  EXPECT_LT(window_->viewport().state().camera.focal_point.norm(), 1.5);
   window_->plots().show_figure("own_channels");
   EXPECT_EQ(window_->plots().figure_name(), "own_channels");
   screenshot("second_system");

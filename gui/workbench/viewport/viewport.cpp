@@ -65,6 +65,8 @@ Viewport::Viewport(PresenterKind kind, QWidget* parent)
 Viewport::~Viewport() = default;
 
 void Viewport::set_pocket(std::shared_ptr<const Structure> structure, std::shared_ptr<const Snapshot> snapshot) {
+  const bool is_another_kind =
+      structure && state_.structure && structure->element_groups != state_.structure->element_groups;
   if (structure != state_.structure) {
     // What was picked may not exist in another pocket.
     select(std::nullopt);
@@ -78,6 +80,7 @@ void Viewport::set_pocket(std::shared_ptr<const Structure> structure, std::share
   // A preview comes later than the drag that it follows: the body stays under the mouse.
   if (drag_ == Drag::body && moved_ && snapshot) snapshot = with_body_at(*snapshot, dragged_body_, dragged_to_);
   set_snapshot(std::move(snapshot));
+  if (is_another_kind) fit();  // another capture system may be of another size, elsewhere
 }
 
 void Viewport::set_snapshot(std::shared_ptr<const Snapshot> snapshot) {
