@@ -12,10 +12,12 @@ namespace netpocket {
 // Eight contacts of cables with one body. Arrays are ordered by component or by corner of the cable's element, then by
 // lane.
 struct alignas(64) ContactBlock {
-  double weight[4][kBlockSize];    // shape functions at the contact point
-  double point[3][kBlockSize];     // m, on the cable's axis; the force acts there on cable and body, so moments balance
-  double normal[3][kBlockSize];    // outward from the body
-  double penetration[kBlockSize];  // m; negative: still apart, but may touch within the step
+  double weight[4][kBlockSize];  // shape functions at the contact point
+  double point[3][kBlockSize];   // m, on the cable's axis; the force acts there on cable and body, so moments balance
+  double normal[3][kBlockSize];  // outward from the body
+  double
+      penetration[kBlockSize];  // m, from where the spring begins; negative: still apart, but may touch within the step
+  double offset[kBlockSize];    // m, depth at which the spring begins (contact_solver.h)
   double stiffness[kBlockSize], damping[kBlockSize];  // as in NormalLaw
   double deepest[kBlockSize];                         // m, greatest depth: no approach may pass it
   double share[kBlockSize];                           // weight of the contact (contact_search.h), 0 to 1
@@ -28,6 +30,8 @@ struct alignas(64) ContactBlock {
   std::int32_t coordinate[4][kBlockSize];
   std::int32_t place[4][kBlockSize];  // index of the coordinate's block in ContactedCoordinates
   std::int32_t element[kBlockSize];
+  std::int32_t part[kBlockSize], holder[kBlockSize];  // of the body; of the cord (contact_search.h)
+  bool is_cord_end[kBlockSize];                       // whether the holder is an end of the cord
   std::int32_t body;
   std::int32_t count;  // number of contacts; the other lanes have zero weight and stiffness
 };

@@ -15,7 +15,6 @@ using Eigen::Vector3d;
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr int kSegments = CordPolyline::kSegments;
-constexpr int kSegmentsOfHalf = kSegments / ContactSearch::kHalves;
 
 // A sphere is large if its radius exceeds this many lengths of the longest element. Then parabolas approximate its
 // surface along a capsule.
@@ -63,6 +62,9 @@ ContactSearch::ContactSearch(const Model& model, std::span<const std::int32_t> n
   }
   rows_.resize(static_cast<std::size_t>((kSegments + 1) * kVectorRows + 1) * kBlockSize);
   is_large_sphere_ = std::holds_alternative<Sphere>(parts_.front().solid) && bounding_radius_ > kLargeSphere * longest;
+  double thinnest = kNever;
+  for (const ContactPart& part : parts_) thinnest = std::min(thinnest, part.thickness);
+  pieces_ = longest > kHalves * thinnest ? kSegments : kHalves;
   holder_touch_.resize(parts_.size());
   forget();
 }
@@ -103,7 +105,7 @@ void ContactSearch::find(const CoordinateVectors& coordinates, const ElementBatc
     if (block_due_[static_cast<std::size_t>(block)] > limit) continue;
     search_kernels().vertices(batch.block(block), vertices_.data(), vertices_.size(), coordinates.rows(), centre.data(),
                               rows_.data());
-    if (is_large_sphere_ && ahead == 0) {
+    if (is_large_sphere_ && ahead == 0 && pieces_ == kHalves) {
       look_at_sphere(block, body, touches);
     } else {
       look_at_lanes(block, body, ahead, touches);
@@ -148,7 +150,7 @@ void ContactSearch::look_at_sphere(std::int32_t block, const DynamicBody& body, 
     const double clearance = places.clearance[lane];
     due_[element] = clearance > 0 ? approach_ + clearance : approach_;
     if (clearance > 0) continue;
-    for (const Holder holder : {kFirst, kMiddle, kSecond}) {
+    for (int holder = 0; holder <= kHalves; ++holder) {
       const double depth = places.depth[holder][lane];
       if (!(depth > 0) || !(places.share[holder][lane] > 0)) continue;
       const int segment = std::min(static_cast<int>(places.place[holder][lane]), kSegments - 1);
@@ -226,28 +228,28 @@ double ContactSearch::look_at_part(std::int32_t element, std::int32_t part, cons
     is_near = is_near || contacts[i].is_near;
   }
   if (!is_near) return least;
-  const Candidate first = best_in_half(contacts, radius, ahead, 0, false);
-  const Candidate before = best_in_half(contacts, radius, ahead, 0, true);
-  const Candidate behind = best_in_half(contacts, radius, ahead, 1, false);
-  const Candidate second = best_in_half(contacts, radius, ahead, 1, true);
-  const bool is_before = behind.segment < 0 || (before.segment >= 0 && before.score > behind.score);
   const Meeting meeting{element, part, world, local, contacts, body, ahead};
-  touch(meeting, kFirst, first, touches);
-  touch(meeting, kMiddle, is_before ? before : behind, touches);
-  touch(meeting, kSecond, second, touches);
+  for (int holder = 0; holder <= pieces_; ++holder) {
+    const Candidate before = best_in_piece(contacts, radius, ahead, holder - 1, true);
+    const Candidate behind = best_in_piece(contacts, radius, ahead, holder, false);
+    const bool is_before = behind.segment < 0 || (before.segment >= 0 && before.score > behind.score);
+    touch(meeting, holder, is_before ? before : behind, touches);
+  }
   return least;
 }
 
-// The piece with the highest score in one half of the element, for the holder at that half's end or start.
-ContactSearch::Candidate ContactSearch::best_in_half(const Contacts& contacts, double radius, double ahead, int half,
-                                                     bool towards_end) {
+// The segment with the highest score in one piece of the element, for the holder at that piece's end or start.
+ContactSearch::Candidate ContactSearch::best_in_piece(const Contacts& contacts, double radius, double ahead, int piece,
+                                                      bool towards_end) const {
   Candidate best{};
   best.segment = -1;
-  for (int i = 0; i < kSegmentsOfHalf; ++i) {
-    const int segment = half * kSegmentsOfHalf + i;
+  if (piece < 0 || piece >= pieces_) return best;
+  const int segments = kSegments / pieces_;
+  for (int i = 0; i < segments; ++i) {
+    const int segment = piece * segments + i;
     const SegmentContact& contact = contacts[static_cast<std::size_t>(segment)];
     if (!contact.is_near) continue;
-    const double from = static_cast<double>(i) / kSegmentsOfHalf, to = static_cast<double>(i + 1) / kSegmentsOfHalf;
+    const double from = static_cast<double>(i) / segments, to = static_cast<double>(i + 1) / segments;
     const PieceWeight weight = towards_end ? PieceWeight{from, to} : PieceWeight{1 - from, 1 - to};
     const double score = contact.distance < radius ? estimate_deepest(contact, radius, weight).score()
                                                    : score_apart(estimate_deepest(contact, radius + ahead, weight));
@@ -258,14 +260,14 @@ ContactSearch::Candidate ContactSearch::best_in_half(const Contacts& contacts, d
 
 // Elements that continue each other share the holder at their node. An element owns the holders at its first node and
 // its middle, and at its second node only where its cord ends.
-std::size_t ContactSearch::holder_index(std::int32_t element, Holder holder) const {
-  constexpr std::size_t kHolders = 3;
+std::size_t ContactSearch::holder_index(std::int32_t element, int holder) const {
+  const auto holders = static_cast<std::size_t>(pieces_ + 1);
   const std::int32_t next = next_[static_cast<std::size_t>(element)];
-  if (holder == kSecond && next >= 0) return static_cast<std::size_t>(next) * kHolders;
-  return static_cast<std::size_t>(element) * kHolders + holder;
+  if (holder == pieces_ && next >= 0) return static_cast<std::size_t>(next) * holders;
+  return static_cast<std::size_t>(element) * holders + static_cast<std::size_t>(holder);
 }
 
-void ContactSearch::touch(const Meeting& meeting, Holder holder, const Candidate& candidate,
+void ContactSearch::touch(const Meeting& meeting, int holder, const Candidate& candidate,
                           std::vector<CordTouch>& touches) {
   if (candidate.segment < 0) return;
   const auto segment = static_cast<std::size_t>(candidate.segment);
@@ -293,12 +295,13 @@ void ContactSearch::touch(const Meeting& meeting, Holder holder, const Candidate
 }
 
 // At a node, the side with the higher score bears the force.
-void ContactSearch::add(Holder holder, CordTouch touch, std::vector<CordTouch>& touches) {
+void ContactSearch::add(int holder, CordTouch touch, std::vector<CordTouch>& touches) {
   const auto element = static_cast<std::size_t>(touch.element), part = static_cast<std::size_t>(touch.part);
-  touch.is_cord_end = (holder == kFirst && previous_[element] < 0) || (holder == kSecond && next_[element] < 0);
+  touch.is_cord_end = (holder == 0 && previous_[element] < 0) || (holder == pieces_ && next_[element] < 0);
   std::vector<std::int32_t>& of_part = holder_touch_[part];
-  if (of_part.empty()) of_part.assign(3 * next_.size(), -1);
+  if (of_part.empty()) of_part.assign(holder_count(), -1);
   const std::size_t index = holder_index(touch.element, holder);
+  touch.holder = static_cast<std::int32_t>(index);
   if (of_part[index] < 0) {
     of_part[index] = static_cast<std::int32_t>(touches.size());
     taken_.emplace_back(touch.part, index);

@@ -2,12 +2,14 @@
 // Finds the places where cords touch one body. A cord is a chain of capsules (cord_polyline.h); contact may occur
 // anywhere on it.
 //
-// Places that bear force. The nodes and middles of elements, half an element apart, are the holders of contact. Each
-// holder has a weight that falls linearly from one at the holder to zero at its neighbours; the weights add up to one.
-// A holder's contact is at the place where weight * depth^2.5 is largest, a product that the energy of its spring is
-// proportional to. So a cord on an edge, which it touches in one place, meets the same spring in the middle of an
-// element as at a node. A cord that lies on a face touches it once for each holder. The force is the derivative of the
-// springs' energy, since the energy does not depend on the place to first order.
+// Places that bear force. The nodes and middles of elements, half an element apart, are the holders of contact. Where
+// halves of elements are longer than the body is thick, holders are a quarter of an element apart. Otherwise one holder
+// could have to bear at two edges of the body. Each holder has a weight that falls linearly from one at the holder to
+// zero at its neighbours; the weights add up to one. A holder's contact is at the place where weight * depth^2.5 is
+// largest, a product that the energy of its spring is proportional to. So a cord on an edge, which it touches in one
+// place, meets the same spring in the middle of an element as at a node. A cord that lies on a face touches it once for
+// each holder. The force is the derivative of the springs' energy, since the energy does not depend on the place to
+// first order.
 //
 // Completeness. A point of a cord approaches the body by at most the distance passed to note_way, which is measured
 // after each step, not predicted. An element cannot touch the body before this distance exceeds its clearance. See
@@ -35,6 +37,7 @@ namespace netpocket {
 struct CordTouch {
   std::int32_t element = 0;
   std::int32_t part = 0;     // index into parts()
+  std::int32_t holder = 0;   // index of the holder, less than holder_count()
   std::int32_t segment = 0;  // index of the element's capsule
   double t = 0;              // position along the segment, 0 to 1
   double share = 0;          // weight of the holder there, 0 to 1
@@ -47,7 +50,7 @@ struct CordTouch {
 
 class ContactSearch {
  public:
-  // Half elements, each between a node and the middle.
+  // Usual number of pieces of an element, between a node and the middle.
   static constexpr int kHalves = 2;
 
   // `next`: by element, the element that continues its cord, or -1.
@@ -67,12 +70,11 @@ class ContactSearch {
             std::vector<CordTouch>& touches);
 
   const std::vector<ContactPart>& parts() const { return parts_; }
+  std::size_t holder_count() const { return static_cast<std::size_t>(pieces_ + 1) * next_.size(); }
   double bounding_radius() const { return bounding_radius_; }
   double smallest_radius() const { return smallest_radius_; }  // of the cords
 
  private:
-  // Holders of an element's contact: its first node, its middle, its second node.
-  enum Holder : std::uint8_t { kFirst, kMiddle, kSecond };
   struct Candidate {
     int segment = -1;  // -1: no candidate
     PieceWeight weight;
@@ -91,7 +93,7 @@ class ContactSearch {
                          std::vector<CordTouch>& touches);
   double look_at_part(std::int32_t element, std::int32_t part, const Chain& world, const Chain& local,
                       const DynamicBody& body, double ahead, std::vector<CordTouch>& touches);
-  static Candidate best_in_half(const Contacts& contacts, double radius, double ahead, int half, bool towards_end);
+  Candidate best_in_piece(const Contacts& contacts, double radius, double ahead, int piece, bool towards_end) const;
   // An element near a part of the body.
   struct Meeting {
     std::int32_t element, part;
@@ -100,9 +102,9 @@ class ContactSearch {
     const DynamicBody& body;
     double ahead;  // m
   };
-  void touch(const Meeting& meeting, Holder holder, const Candidate& candidate, std::vector<CordTouch>& touches);
-  void add(Holder holder, CordTouch touch, std::vector<CordTouch>& touches);
-  std::size_t holder_index(std::int32_t element, Holder holder) const;
+  void touch(const Meeting& meeting, int holder, const Candidate& candidate, std::vector<CordTouch>& touches);
+  void add(int holder, CordTouch touch, std::vector<CordTouch>& touches);
+  std::size_t holder_index(std::int32_t element, int holder) const;
 
   std::vector<ContactPart> parts_;
   double bounding_radius_, smallest_radius_;
@@ -111,6 +113,7 @@ class ContactSearch {
   AlignedVector<double> radius_;   // m, by element, in whole blocks; negative: the element cannot touch the body
   AlignedVector<double> due_;      // m, by element, in whole blocks: value of approach_ up to which it cannot touch
   std::vector<double> block_due_;  // by block: the least due_
+  int pieces_ = kHalves;           // of an element, between its holders: halves or quarters
   bool is_large_sphere_ = false;   // whether the body is a sphere much larger than a capsule
   double least_due_ = 0;           // the least due_ of all elements
   double approach_ = 0;            // m, sum of note_way since forget()

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/dynamics/contact/contact_stop.h"
 #include "engine/dynamics/contact/cord_chain.h"
 #include "engine/math/instruction_set.h"
 #include "engine/math/symmetric_algebra.h"
@@ -22,6 +23,10 @@ constexpr double kThicknessPart = 0.25;
 constexpr double kShortWay = 2;
 // Factor on the distance of a step at the present speed, as an allowance for acceleration.
 constexpr double kGrowingWay = 2;
+// Springs become softer again when a step exceeds the one they are for by this factor. They resolve longer ones too.
+constexpr double kLongStep = 0.7;
+// Springs become stiffer when a step is below this part of the one they are for.
+constexpr double kShortStep = 0.25;
 
 struct ForceKernels {
   contact_kernel::ForceKernel forces;
@@ -100,7 +105,8 @@ ContactSolver::ContactSolver(const Model& model, const CoordinateLayout& layout)
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     ContactSearch search(model, next, static_cast<std::int32_t>(b));
     std::vector<std::vector<Law>> laws(search.parts().size());
-    partners_.push_back({.search = std::move(search), .laws = std::move(laws)});
+    SpringOffsets offsets(search.parts().size(), search.holder_count());
+    partners_.push_back({.search = std::move(search), .laws = std::move(laws), .offsets = std::move(offsets)});
   }
 }
 
@@ -109,8 +115,11 @@ void ContactSolver::forget_candidates() {
 }
 
 void ContactSolver::set_reference_step(double dt) {
-  reference_step_ = dt;
-  for (Partner& partner : partners_) partner.laws.assign(partner.search.parts().size(), {});
+  reference_step_ = stiffness_step_ = dt;
+  for (Partner& partner : partners_) {
+    partner.laws.assign(partner.search.parts().size(), {});
+    partner.offsets.clear();
+  }
 }
 
 void ContactSolver::note_motion(double cords, std::span<const double> bodies) {
@@ -130,11 +139,12 @@ ContactSolver::Law ContactSolver::make_law(const CordTouch& touch, std::int32_t 
   const double part = (touch.is_cord_end ? 0.5 : 1.0) / ContactSearch::kHalves;
   const double length = part * model_.elements[static_cast<std::size_t>(touch.element)].length;
   const double mass = effective_mass(material.section.mass_per_length * length, body_mass);
-  const double stiffness = std::min(of_materials, resolved_stiffness(mass, reference_step_));
+  const double stiffness = std::min(of_materials, resolved_stiffness(mass, stiffness_step_));
   const ContactPart& solid =
       partners_[static_cast<std::size_t>(body)].search.parts()[static_cast<std::size_t>(touch.part)];
   return {{stiffness, damping_ * std::sqrt(stiffness * mass)},
-          std::min(depth_of_impact(mass, stiffness, kSoftImpact), material.radius + kThicknessPart * solid.thickness),
+          depth_of_impact(mass, stiffness, kSoftImpact),
+          material.radius + kThicknessPart * solid.thickness,
           stiffness / of_materials};
 }
 
@@ -181,12 +191,17 @@ void ContactSolver::add_contact(std::int32_t body, double body_mass, const CordT
     block.normal[axis][lane] = touch.normal[axis];
   }
   const Law& law = law_of(touch, body, body_mass);
-  block.penetration[lane] = touch.penetration;
+  const double offset = partner.offsets.follow(touch);
+  block.penetration[lane] = touch.penetration - offset;
+  block.offset[lane] = offset;
   block.stiffness[lane] = law.law.stiffness;
   block.damping[lane] = law.law.damping;
-  block.deepest[lane] = law.deepest;
+  block.deepest[lane] = std::min(law.impact, law.deepest - offset);
   block.share[lane] = touch.share;
   block.element[lane] = touch.element;
+  block.part[lane] = touch.part;
+  block.holder[lane] = touch.holder;
+  block.is_cord_end[lane] = touch.is_cord_end;
   partner.shares += touch.share;
 }
 
@@ -240,6 +255,53 @@ void ContactSolver::find_contacts(std::int32_t body, const CoordinateVectors& co
     add_contact(body, dynamic.least_mass(), touch, length);
   }
   partner.last = contacts_.size();
+  partner.offsets.keep_only(touches_);
+}
+
+template <typename Function>
+void ContactSolver::for_each_contact(const Function& function) const {
+  for (const ContactBlock& block : contacts_) {
+    for (int lane = 0; lane < block.count; ++lane) function(block, lane);
+  }
+}
+
+double ContactSolver::stiffness_step_for(double dt) const {
+  constexpr int kMostHalvings = 7;  // stiffer springs are those of the materials
+  const double shortest = std::ldexp(reference_step_, -kMostHalvings);
+  double step = stiffness_step_;
+  while (dt <= kShortStep * step && step > shortest) step *= 0.5;
+  while (dt > kLongStep * step && step < reference_step_) step *= 2;
+  return step;
+}
+
+// A spring stores 2/5 K s^2.5 at the compression s. With another stiffness K it stores the same at a compression in
+// proportion to K^-0.4. A spring cannot begin outside the surface.
+void ContactSolver::fit_stiffness(double dt, const std::vector<DynamicBody>& bodies) {
+  stiffness_step_ = stiffness_step_for(dt);
+  for (Partner& partner : partners_) partner.laws.assign(partner.search.parts().size(), {});
+  for_each_contact([&](const ContactBlock& block, int lane) {
+    const double compression = block.penetration[lane], depth = compression + block.offset[lane];
+    if (!(compression > 0)) return;
+    const auto body = static_cast<std::size_t>(block.body);
+    CordTouch touch{};
+    touch.element = block.element[lane];
+    touch.part = block.part[lane];
+    touch.is_cord_end = block.is_cord_end[lane];
+    const double stiffness = law_of(touch, block.body, bodies[body].least_mass()).law.stiffness;
+    const double root = fifth_root(block.stiffness[lane] / stiffness);
+    partners_[body].offsets.set(touch.part, block.holder[lane], std::max(depth - root * root * compression, 0.0));
+  });
+}
+
+void ContactSolver::visit_state(const std::function<void(double&)>& visit) {
+  double step = stiffness_step_;
+  visit(step);
+  for (Partner& partner : partners_) {
+    // A file may hold a number that is not a step.
+    if (step != stiffness_step_ && step > 0) partner.laws.assign(partner.search.parts().size(), {});
+    partner.offsets.visit_state(visit);
+  }
+  if (step > 0) stiffness_step_ = step;
 }
 
 template <typename Function>
@@ -272,113 +334,6 @@ void ContactSolver::find(const CoordinateVectors& coordinates, const CoordinateV
   share_inertia(contacted);
 }
 
-template <typename Function>
-void ContactSolver::for_each_contact(const Function& function) const {
-  for (const ContactBlock& block : contacts_) {
-    for (int lane = 0; lane < block.count; ++lane) function(block, lane);
-  }
-}
-
-// Completes the forces that stop contacts at their greatest depth. The kernel stops each approach by itself, with its
-// share of the inertia. Where neighbours need other forces, a part of the approach remains, which may be enough to pass
-// through a thin wall. So forces are added from the velocities that they lead to, until no approach remains. The row
-// sums of mass splitting (contacted_coordinates.h) make this converge.
-class ContactSolver::Stop {
- public:
-  Stop(std::span<ContactBlock> contacts, const RigidBody& body, double shares, ContactedCoordinates& contacted,
-       std::span<const double> inverse_mass, const StepTimes& times)
-      : contacts_(contacts),
-        body_(body),
-        shares_(shares),
-        contacted_(contacted),
-        inverse_mass_(inverse_mass),
-        times_(times) {}
-
-  void complete() {
-    constexpr int kMostRounds = 200;
-    for_each([&](ContactBlock& block, int lane) { push(block, lane, lane_of(block.force, lane)); });
-    for (int round = 0; round < kMostRounds && add_what_is_missing(); ++round) {
-    }
-    for_each([&](ContactBlock& block, int lane) {
-      if (is_stopped(block, lane)) take_up_springs(block, lane);
-    });
-  }
-
- private:
-  static bool is_stopped(const ContactBlock& block, int lane) { return block.is_stopped[lane] > 0; }
-  static ElementIndices indices(const ContactBlock& block, int lane) {
-    return {block.coordinate[0][lane], block.coordinate[1][lane], block.coordinate[2][lane], block.coordinate[3][lane]};
-  }
-  static ElementWeights weights(const ContactBlock& block, int lane) {
-    return {block.weight[0][lane], block.weight[1][lane], block.weight[2][lane], block.weight[3][lane]};
-  }
-  template <typename Function>
-  void for_each(const Function& function) {
-    for (ContactBlock& block : contacts_) {
-      for (int lane = 0; lane < block.count; ++lane) function(block, lane);
-    }
-  }
-
-  // Applies a force (N, on the cord) to the predicted velocities.
-  void push(const ContactBlock& block, int lane, const Vector3d& force) {
-    for (int corner = 0; corner < 4; ++corner) {
-      const std::int32_t coordinate = block.coordinate[corner][lane];
-      contacted_.add_to_prediction(coordinate,
-                                   (times_.kick * inverse_mass_[coordinate] * block.weight[corner][lane]) * force);
-    }
-    body_.kick(-force, (lane_of(block.point, lane) - body_.position()).cross(-force), times_.kick);
-  }
-
-  double separation_speed(const ContactBlock& block, int lane) const {
-    const Vector3d velocity = combine(contacted_, indices(block, lane), weights(block, lane));
-    return symmetric_dot(velocity - body_.velocity_at(lane_of(block.point, lane)), lane_of(block.normal, lane));
-  }
-
-  // Returns false if nothing is missing.
-  bool add_what_is_missing() {
-    constexpr double kSmall = 1e-3;  // m/s: a lasting load sinks in no faster
-    missing_.clear();
-    double largest = 0;
-    for_each([&](const ContactBlock& block, int lane) {
-      const double allowed = std::max(block.deepest[lane] - block.penetration[lane], 0.0) / times_.drift;
-      const double missing = std::max(-allowed - separation_speed(block, lane), 0.0);
-      const double w = contacted_.inverse_mass(indices(block, lane), weights(block, lane), inverse_mass_) +
-                       shares_ * body_.inverse_mass_at(lane_of(block.point, lane), lane_of(block.normal, lane));
-      largest = std::max(largest, missing);
-      missing_.push_back(block.share[lane] * missing / (times_.kick * w));
-    });
-    if (!(largest > kSmall)) return false;
-    std::size_t next = 0;
-    for_each([&](ContactBlock& block, int lane) {
-      const double force = missing_[next++];
-      const Vector3d along = force * lane_of(block.normal, lane);
-      block.normal_force[lane] += force;
-      if (force > 0) block.is_stopped[lane] = 1;
-      for (int axis = 0; axis < 3; ++axis) block.force[axis][lane] += along[axis];
-      push(block, lane, along);
-    });
-    return true;
-  }
-
-  // A cord that is stopped within a step has also compressed its spring. The spring takes a part of the impact, its
-  // mean force over the distance. The rest is dissipated.
-  void take_up_springs(ContactBlock& block, int lane) const {
-    const NormalLaw law{block.stiffness[lane], 0};
-    const double before = block.penetration[lane], way = -separation_speed(block, lane) * times_.drift;
-    const double after = before + way;
-    if (!(std::abs(way) > 0)) return;
-    block.elastic[lane] = block.share[lane] * (elastic_energy(law, after) - elastic_energy(law, before)) / way;
-  }
-
-  std::span<ContactBlock> contacts_;
-  RigidBody body_;
-  double shares_;
-  ContactedCoordinates& contacted_;
-  std::span<const double> inverse_mass_;
-  StepTimes times_;
-  std::vector<double> missing_;  // N, by contact
-};
-
 void ContactSolver::add_forces(const CoordinateVectors& velocities, ContactedCoordinates& contacted,
                                std::span<const double> inverse_mass, const std::vector<DynamicBody>& bodies,
                                const StepTimes& times, AppliedForces& applied, std::vector<Wrench>& wrenches) {
@@ -402,7 +357,7 @@ void ContactSolver::add_forces(const CoordinateVectors& velocities, ContactedCoo
     const int stopped = count_marked(contacts, &ContactBlock::is_stopped);
     if (stopped > 0) {
       stops_ += stopped;
-      Stop(contacts, bodies[b].rigid(), partner.shares, contacted, inverse_mass, times).complete();
+      complete_stops(contacts, bodies[b].rigid(), partner.shares, contacted, inverse_mass, times);
     }
     power_before_ += stopped > 0 ? power_of(b, velocities.rows(), bodies[b]) : stored_power(contacts);
     for_each_corner(contacts, [&](const ContactBlock& block, int lane, int corner) {
@@ -431,6 +386,21 @@ double ContactSolver::stored_energy() const {
   return energy;
 }
 
+// A place is sum S_i q_i, where S_2 and S_4 are proportional to the length L. It moves by (dL/dt)/L (S_2 g_1 + S_4
+// g_2).
+double ContactSolver::fed_power(const CoordinateVectors& coordinates, const ElementBatch& batch) const {
+  double power = 0;
+  for_each_contact([&](const ContactBlock& block, int lane) {
+    const std::int32_t element = block.element[lane];
+    const double rate = batch.block(element / kBlockSize).length_rate[element % kBlockSize];
+    if (rate == 0) return;
+    const Vector3d along = block.weight[1][lane] * coordinates.get(block.coordinate[1][lane]) +
+                           block.weight[3][lane] * coordinates.get(block.coordinate[3][lane]);
+    power -= rate * block.elastic[lane] * symmetric_dot(along, lane_of(block.normal, lane));
+  });
+  return power;
+}
+
 contact_kernel::ContactPower ContactSolver::power_of(std::size_t body, const CoordinateRows& velocities,
                                                      const DynamicBody& dynamic) const {
   const Partner& partner = partners_[body];
@@ -450,8 +420,8 @@ contact_kernel::ContactPower ContactSolver::dissipated_power(const CoordinateVec
 std::optional<ContactSolver::Depth> ContactSolver::deepest_contact() const {
   std::optional<Depth> deepest;
   for_each_contact([&](const ContactBlock& block, int lane) {
-    if (deepest && deepest->penetration >= block.penetration[lane]) return;
-    deepest = Depth{block.element[lane], block.body, block.penetration[lane]};
+    if (deepest && deepest->penetration >= block.penetration[lane] + block.offset[lane]) return;
+    deepest = Depth{block.element[lane], block.body, block.penetration[lane] + block.offset[lane]};
   });
   return deepest;
 }
@@ -461,7 +431,7 @@ std::vector<ContactPoint> ContactSolver::contacts() const {
   for_each_contact([&](const ContactBlock& block, int lane) {
     const Vector3d force = lane_of(block.force, lane);
     if (force.squaredNorm() == 0) return;
-    const double to_surface = model_.radius_of(block.element[lane]) - block.penetration[lane];
+    const double to_surface = model_.radius_of(block.element[lane]) - (block.penetration[lane] + block.offset[lane]);
     const Vector3d surface = lane_of(block.point, lane) - to_surface * lane_of(block.normal, lane);
     result.push_back({surface, -force, block.element[lane], block.body});
   });

@@ -3,8 +3,8 @@
 // and distributes it to nodes, gradients and the body by virtual work (S^T F). Theory: THEORY.md, section 6.
 //
 // Stiffness. A contact has the stiffness of its materials, limited so that an impact at 1 m/s lasts eight steps of the
-// run's first size. The limit uses the smallest mass that any point of the body can have. The stiffness is constant
-// during a run, so that a change of the step neither creates nor destroys energy stored in springs.
+// run's first size. The limit uses the smallest mass that any point of the body can have. Where steps become less than
+// a quarter as long, springs become stiffer. They keep their energy (spring_offsets.h).
 //
 // Greatest depth. A spring that is too soft for an impact would let the cord through. Each contact therefore has a
 // greatest depth, at which the approach is stopped within one step.
@@ -12,6 +12,7 @@
 // Shared inertia. All contacts of a step are computed from the same state. Contacts that share nodes or a body share
 // their mass (contacted_coordinates.h), so that their sum does not overshoot.
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -24,6 +25,7 @@
 #include "engine/dynamics/contact/contact_kernel.h"
 #include "engine/dynamics/contact/contact_search.h"
 #include "engine/dynamics/contact/contacted_coordinates.h"
+#include "engine/dynamics/contact/spring_offsets.h"
 #include "engine/math/sector_sum.h"
 #include "engine/model/model.h"
 
@@ -36,8 +38,15 @@ class ContactSolver {
   // To be called when positions have changed in another way than by a step: after a displacement or a restored state.
   void forget_candidates();
   void set_friction(double coefficient) { settings_.friction = coefficient; }
-  // Step (s) that the stiffness of all contacts is for.
+  // Step (s) that the stiffness of all contacts is for, as long as steps are not much shorter.
   void set_reference_step(double dt);
+
+  // Whether the springs are as stiff as steps of `dt` (s) need. They always are while steps are longer than a quarter
+  // of the reference step.
+  bool fits(double dt) const { return stiffness_step_for(dt) == stiffness_step_; }
+  // Adapts the springs to steps of `dt` (s). To be called after find() at the present state, which must then be called
+  // again. Springs that become stiffer keep their energy. Springs that become softer may lose some.
+  void fit_stiffness(double dt, const std::vector<DynamicBody>& bodies);
 
   // To be called after each step with upper bounds (m) of the distance that any point has moved in it: `cords` for
   // points of cords, bodies[b] for points of body b.
@@ -64,6 +73,10 @@ class ContactSolver {
   contact_kernel::ContactPower dissipated_power(const CoordinateVectors& velocities,
                                                 const std::vector<DynamicBody>& bodies) const;
 
+  // Power (W) that whoever changes the lengths of elements puts into the springs of contacts on them: the places of
+  // contact move although the coordinates do not.
+  double fed_power(const CoordinateVectors& coordinates, const ElementBatch& batch) const;
+
   // Contacts that bear force.
   std::vector<ContactPoint> contacts() const;
   bool has_contacts() const { return !contacts_.empty(); }
@@ -81,11 +94,15 @@ class ContactSolver {
   };
   std::optional<Depth> deepest_contact() const;
 
+  // Gives every number of the state to `visit`, which may change it.
+  void visit_state(const std::function<void(double&)>& visit);
+
  private:
   // Force law of an element with a body.
   struct Law {
     NormalLaw law;
-    double deepest;    // m, greatest depth: no approach may pass it
+    double impact;     // m, compression that no approach may pass
+    double deepest;    // m, depth that no approach may pass
     double softening;  // stiffness / stiffness of the materials
   };
   struct Partner {
@@ -94,8 +111,8 @@ class ContactSolver {
     std::vector<std::vector<Law>> laws;
     std::size_t first = 0, last = 0;  // range in contacts_
     double shares = 0;                // sum of its contacts' shares
+    SpringOffsets offsets;
   };
-  class Stop;
   contact_kernel::ContactPower power_of(std::size_t body, const CoordinateRows& velocities,
                                         const DynamicBody& dynamic) const;
   struct BodySums {
@@ -104,6 +121,7 @@ class ContactSolver {
 
   void find_contacts(std::int32_t body, const CoordinateVectors& coordinates, const CoordinateVectors& velocities,
                      const ElementBatch& batch, const DynamicBody& dynamic, double cord_speed, double dt);
+  double stiffness_step_for(double dt) const;
   double way_ahead(std::int32_t body, const DynamicBody& dynamic, double cord_speed, double dt) const;
   // Whether a place that is still apart would touch the body within the step.
   bool hits_within_step(const CordTouch& touch, std::int32_t body, double length, const CoordinateVectors& velocities,
@@ -127,8 +145,9 @@ class ContactSolver {
   ContactSettings settings_;
   double damping_;  // alpha of force_law.h
   double reference_step_ = 0;
-  std::vector<Partner> partners_;         // by body
-  std::vector<CordTouch> touches_;        // of one body
+  double stiffness_step_ = 0;       // s, step that springs are for: the reference step or a half, a quarter, ... of it
+  std::vector<Partner> partners_;   // by body
+  std::vector<CordTouch> touches_;  // of one body
   AlignedVector<ContactBlock> contacts_;  // ordered by body
   std::vector<Eigen::Vector3d> body_force_;
   double deepest_penetration_ = 0;

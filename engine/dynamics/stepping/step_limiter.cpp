@@ -10,7 +10,7 @@ namespace {
 constexpr double kDeep = 0.02, kShallow = 0.004, kDeepest = 0.05;
 // Factor on the steps after an interval with deep contacts. It makes penetrations 0.55 times as deep.
 constexpr double kShortening = 0.7;
-constexpr double kLeastForContacts = 0.1;
+constexpr double kLeastForContacts = 0.02;
 
 // Largest aliased energy, as a fraction of the exchanged one.
 constexpr double kAliased = 0.004;

@@ -278,7 +278,6 @@ StableStep CableSystem::stable_step() {
 //   strain partner get o = 1: a bent one vibrates as a whole.
 // - Tension: at strain eps the Green strain's stiffness along a cord is EA (1 + 2 eps) + N = EA (1 + 3 eps).
 double CableSystem::stable_step_as_bent(const StableStep& straight) {
-  constexpr double kOverlap = 0.25;
   Impl& s = *impl_;
   if (straight.stiffness == 0) return straight.step;
   s.update_ropes();
@@ -308,7 +307,9 @@ double CableSystem::stable_step_as_bent(const StableStep& straight) {
     strain = std::max(strain, part.strain);
   }
   const double bent = of_bends / straight.stiffness;
-  const double paired = 0.5 * (1 + bent + std::sqrt((1 - bent) * (1 - bent) + 4 * kOverlap * bent));
+  // At 1 the bound is sure. Cords strained by more than some percent need that.
+  const double overlap = std::clamp(10 * strain - 0.5, 0.25, 1.0);
+  const double paired = 0.5 * (1 + bent + std::sqrt((1 - bent) * (1 - bent) + 4 * overlap * bent));
   const double together = std::max(paired, 1 + of_unpaired / straight.stiffness);
   // Damping of stretching grows in proportion to its stiffness.
   const double ratio = together + 3 * strain;
@@ -474,10 +475,11 @@ void CableSystem::visit_state(const std::function<void(double&)>& visit) {
         &s.spent.by_friction, &s.initial_energy, &s.initial_input, &s.depths.penetration, &reference_step}) {
     visit_number(*value);
   }
+  if (reference_step != s.reference_step) s.set_reference_step(reference_step);
+  s.contacts.visit_state(visit_number);
   s.depths.pressed.visit_state(visit);
   s.depths.overlapping.visit_state(visit);
   s.safeguards.visit_state(visit);
-  if (reference_step != s.reference_step) s.set_reference_step(reference_step);
   if (s.body_contacts) {
     for (Eigen::Vector3d& impulse : s.body_impulses) visit_vector(impulse);
     s.body_contacts->visit_state(visit);

@@ -164,8 +164,8 @@ EnergyAudit CableSystem::Impl::audit() {
   result.spent.at_hinges += half_kick * hinge_power;
   result.spent.in_contacts += first_half(before.damping, after.damping);
   result.spent.by_friction += first_half(before.friction, after.friction);
-  result.input = input_work + half_kick * element_power.fed + load_work() + flow.work -
-                 0.5 * ropes.energy_change(coordinates, velocities) - initial_input;
+  result.input = input_work + half_kick * (element_power.fed + contacts.fed_power(coordinates, batch)) + load_work() +
+                 flow.work - 0.5 * ropes.energy_change(coordinates, velocities) - initial_input;
   result.error = result.kinetic + result.strain + result.contact + result.spent.total() - result.input - initial_energy;
   last_audit = result;
   step_of_audit = steps;

@@ -143,6 +143,7 @@ struct CableSystem::Impl {
   void note_cord_speed();
   void note_motion();
   void set_reference_step(double dt);
+  void fit_contacts(double dt);
   void note_contacts();
   void compute_forces(double dt);
   void keep_forces_current(double dt);

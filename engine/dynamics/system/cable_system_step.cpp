@@ -270,7 +270,7 @@ void CableSystem::Impl::move_coordinates(CoordinateVectors& v, CoordinateVectors
   consistent_mass->kick_and_drift(forces, mass, kick, drift, v, x);
 }
 
-// The stiffness of contacts is based on the first step for the whole run.
+// The stiffness of contacts is based on the first step.
 void CableSystem::Impl::set_reference_step(double dt) {
   reference_step = dt;
   contacts.set_reference_step(dt);
@@ -279,17 +279,29 @@ void CableSystem::Impl::set_reference_step(double dt) {
   forget_forces();
 }
 
+// Energy that springs of contacts lose as they become softer is spent.
+void CableSystem::Impl::fit_contacts(double dt) {
+  if (contacts.fits(dt)) return;
+  keep_forces_current(dt);
+  const double before = contacts.stored_energy();
+  contacts.fit_stiffness(dt, bodies);
+  forget_forces();
+  keep_forces_current(dt);
+  spent.in_contacts += std::max(before - contacts.stored_energy(), 0.0);
+}
+
 void CableSystem::Impl::step(double dt) {
   if (reference_step == 0) {
     set_reference_step(dt);
     begin_accounts();  // energy stored in springs at the start belongs to the initial energy
     forget_forces();
   }
+  fit_contacts(dt);
   keep_forces_current(dt);
   // Velocities lag positions by half of the previous step. At the start there is no lag, since last_dt is 0.
   const double kick = 0.5 * (last_dt + dt);
   const contact_kernel::ContactPower before = contact_power(contacts.dissipated_power_before(), velocities, bodies);
-  input_work += kick * element_power.fed;
+  input_work += kick * (element_power.fed + contacts.fed_power(coordinates, batch));
   spent.in_cords += kick * element_power.dissipated;
   spent.at_hinges += kick * hinge_power;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
