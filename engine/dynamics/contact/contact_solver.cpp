@@ -140,10 +140,11 @@ ContactSolver::Law ContactSolver::make_law(const CordTouch& touch, std::int32_t 
   const double length = part * model_.elements[static_cast<std::size_t>(touch.element)].length;
   const double mass = effective_mass(material.section.mass_per_length * length, body_mass);
   const double stiffness = std::min(of_materials, resolved_stiffness(mass, stiffness_step_));
+  const double softest = std::min(of_materials, resolved_stiffness(mass, reference_step_));
   const ContactPart& solid =
       partners_[static_cast<std::size_t>(body)].search.parts()[static_cast<std::size_t>(touch.part)];
   return {{stiffness, damping_ * std::sqrt(stiffness * mass)},
-          depth_of_impact(mass, stiffness, kSoftImpact),
+          depth_of_impact(mass, softest, kSoftImpact),
           material.radius + kThicknessPart * solid.thickness,
           stiffness / of_materials};
 }

@@ -19,7 +19,7 @@ namespace {
 // With fewer elements than this, a second thread costs more time than it saves.
 constexpr std::size_t kFewestElementsForThreads = 8000;
 // A speed above this (m/s) is a failure of the integration, not a motion.
-constexpr double kRunawaySpeed = 1e4;
+constexpr double kRunawaySpeed = 1e5;
 
 // For messages. Of a runaway only the order of magnitude matters.
 std::string speed_text(double speed) {

@@ -105,7 +105,7 @@ class CableSystem {
   double stable_step_as_bent(const StableStep& straight);
   // Advances the state by one step of `dt` (s). Steps may differ in size; large jumps cost accuracy.
   void step(double dt);
-  // A sentence about the fault if the state is no longer finite or flies apart (10 km/s), else nothing. It names the
+  // A sentence about the fault if the state is no longer finite or flies apart (100 km/s), else nothing. It names the
   // cable and its contact in the last step, or the body.
   std::optional<std::string> fault() const;
 
