@@ -55,7 +55,7 @@ class AppliedForces {
     forces_.add(coordinate, force);
   }
 
-  CoordinateRows rows() { return forces_.rows(); }
+  CoordinateRows rows() const { return forces_.rows(); }
   // By block of coordinates: 0 where no force acts.
   const std::uint8_t* loaded() const { return reinterpret_cast<const std::uint8_t*>(marks_.data()); }
 

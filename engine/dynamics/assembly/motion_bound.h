@@ -13,6 +13,9 @@
 
 namespace netpocket {
 
+// The larger of two non-negative numbers; NaN if either is NaN.
+inline double larger_or_none(double a, double b) { return a >= b || a != a ? a : b; }
+
 class MotionBound {
  public:
   // Elements must never become longer than they are in `model`.

@@ -1,0 +1,97 @@
+#include "engine/dynamics/system/energy_account.h"
+
+#include <algorithm>
+
+namespace netpocket {
+
+void EnergyAccount::begin() {
+  initial_input_ = 0;
+  const EnergyAudit start = make_audit();
+  initial_energy_ = start.kinetic + start.strain + start.contact;
+  initial_input_ = start.input;
+  forget_audit();
+}
+
+void EnergyAccount::before_step(double kick) {
+  power_before_ = contacts_.power_before();
+  input_ += kick * (forces_.element_power().fed + contacts_.fed_power());
+  spent_.in_cords += kick * forces_.element_power().dissipated;
+  spent_.at_hinges += kick * forces_.hinge_power();
+  ropes_change_ = elements_.ropes().energy_change(state_.coordinates, state_.velocities);
+}
+
+void EnergyAccount::after_coordinates() {
+  ropes_change_ += elements_.ropes().energy_change(state_.coordinates, state_.velocities);
+  input_ -= 0.5 * ropes_change_;
+}
+
+// Neither energy is negative, apart from round-off.
+void EnergyAccount::after_bodies(double kick) {
+  const SystemContacts::Power after = contacts_.power(state_.velocities, state_.bodies);
+  spent_.in_contacts += std::max(0.5 * kick * (power_before_.damping + after.damping), 0.0);
+  spent_.by_friction += std::max(0.5 * kick * (power_before_.friction + after.friction), 0.0);
+}
+
+// J, of bodies at the end of their half kick, and of nodes and gradients at the given velocities.
+double EnergyAccount::kinetic_energy(const CoordinateVectors& velocity) const {
+  double energy = 0;
+  for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
+    energy += state_.bodies[b].kinetic_energy_after(forces_.wrenches()[b], state_.controls[b], 0.5 * state_.last_step);
+  }
+  return energy + integrator_.kinetic_energy(velocity);
+}
+
+// Power at the velocities that the present forces lead to.
+SystemContacts::Power EnergyAccount::contact_power_after(double kick) {
+  CoordinateVectors positions = state_.coordinates, velocity = integrator_.velocities_after(kick);
+  std::vector<DynamicBody> moving = state_.bodies;
+  for (std::size_t b = 0; b < moving.size(); ++b) {
+    moving[b].rigid() = state_.bodies[b].after(forces_.wrenches()[b], state_.controls[b], kick);
+    moving[b].move_attachments(positions, velocity);
+  }
+  return contacts_.power(velocity, moving);
+}
+
+EnergyAudit EnergyAccount::audit() {
+  if (!is_audited()) last_audit_ = make_audit();
+  audited_ = forces_.computations();
+  return last_audit_;
+}
+
+EnergyAudit EnergyAccount::make_audit() {
+  const double half_kick = 0.5 * state_.last_step;
+  element_states_.refresh();
+  const CoordinateVectors velocity = integrator_.velocities_after(half_kick);
+  RopeDynamics& ropes = elements_.ropes();
+  const RopeDynamics::FlowEnergy flow = ropes.flow_energy(state_.coordinates, velocity);
+  EnergyAudit result;
+  result.kinetic = kinetic_energy(velocity) + flow.kinetic;
+  result.aliased = integrator_.aliased_energy(velocity);
+  result.strain = forces_.with_hinge_energy(forces_.wrinkling_energy() + element_states_.strain_energy());
+  const SystemContacts::Power before = contacts_.power_before(), after = contact_power_after(state_.last_step);
+  // Energy of the first half of the step that the forces act for, at most that of the whole step. Where a contact
+  // rebounds within the step, its first half alone dissipates more than the whole.
+  const auto first_half = [half_kick](double power, double later) {
+    return std::clamp(half_kick * power, 0.0, std::max(half_kick * (power + later), 0.0));
+  };
+  result.contact = contacts_.stored_energy();
+  result.spent = spent_;
+  result.spent.in_cords += half_kick * forces_.element_power().dissipated;
+  result.spent.at_hinges += half_kick * forces_.hinge_power();
+  result.spent.in_contacts += first_half(before.damping, after.damping);
+  result.spent.by_friction += first_half(before.friction, after.friction);
+  result.input = input_ + half_kick * (forces_.element_power().fed + contacts_.fed_power()) + forces_.load_work() +
+                 flow.work - 0.5 * ropes.energy_change(state_.coordinates, state_.velocities) - initial_input_;
+  result.error =
+      result.kinetic + result.strain + result.contact + result.spent.total() - result.input - initial_energy_;
+  return result;
+}
+
+void EnergyAccount::visit_state(const std::function<void(double&)>& visit) {
+  for (double* value : {&input_, &spent_.in_cords, &spent_.at_hinges, &spent_.in_contacts, &spent_.by_friction,
+                        &initial_energy_, &initial_input_}) {
+    visit(*value);
+  }
+}
+
+}  // namespace netpocket

@@ -1,0 +1,71 @@
+#pragma once
+// The account of a system's energy since the start: what was put in, what was spent, and what the audit finds left.
+// Internal to this room.
+
+#include <cstdint>
+#include <functional>
+
+#include "engine/dynamics/system/cable_elements.h"
+#include "engine/dynamics/system/cable_state.h"
+#include "engine/dynamics/system/cable_system.h"
+#include "engine/dynamics/system/element_states.h"
+#include "engine/dynamics/system/leapfrog.h"
+#include "engine/dynamics/system/system_contacts.h"
+#include "engine/dynamics/system/system_forces.h"
+
+namespace netpocket {
+
+class EnergyAccount {
+ public:
+  // All must outlive this object.
+  EnergyAccount(CableElements& elements, const CableState& state, const SystemContacts& contacts,
+                const SystemForces& forces, ElementStates& element_states, Leapfrog& integrator)
+      : elements_(elements),
+        state_(state),
+        contacts_(contacts),
+        forces_(forces),
+        element_states_(element_states),
+        integrator_(integrator) {}
+
+  // Begins the account at the present state, whose forces must be known. May be called again before the first step.
+  void begin();
+
+  // In a step, in this order: before anything moves, with the kick (s) of the present forces; when the free coordinates
+  // have moved; when the bodies have, too.
+  void before_step(double kick);
+  void after_coordinates();
+  void after_bodies(double kick);
+  void add_input(double work) { input_ += work; }  // J
+  void add_spent_in_contacts(double energy) { spent_.in_contacts += energy; }
+
+  // The energies now. The present forces must be known.
+  EnergyAudit audit();
+  // Whether the last audit is that of the present forces.
+  bool is_audited() const { return audited_ == forces_.computations() && forces_.are_current(); }
+  // To be called when anything that the audit depends on has changed, besides the state and the forces.
+  void forget_audit() { audited_ = -1; }
+
+  // Gives every number to `visit`, which may change it.
+  void visit_state(const std::function<void(double&)>& visit);
+
+ private:
+  double kinetic_energy(const CoordinateVectors& velocity) const;
+  SystemContacts::Power contact_power_after(double kick);
+  EnergyAudit make_audit();
+
+  CableElements& elements_;
+  const CableState& state_;
+  const SystemContacts& contacts_;
+  const SystemForces& forces_;
+  ElementStates& element_states_;
+  Leapfrog& integrator_;
+  SpentEnergy spent_;
+  double input_ = 0;                               // J, without loads
+  double initial_energy_ = 0, initial_input_ = 0;  // J
+  double ropes_change_ = 0;                        // J, RopeDynamics::energy_change before the step under way
+  SystemContacts::Power power_before_;             // W, in the step under way
+  EnergyAudit last_audit_;
+  std::int64_t audited_ = -1;  // SystemForces::computations of last_audit_; -1: outdated
+};
+
+}  // namespace netpocket

@@ -1,0 +1,214 @@
+#include "engine/dynamics/system/system_forces.h"
+
+#include <algorithm>
+#include <set>
+
+#include "engine/dynamics/joints/hinge_forces.h"
+#include "engine/math/instruction_set.h"
+
+namespace netpocket {
+namespace {
+
+// Number of blocks that a thread processes at once and whose powers it sums in sequence. Constant, so that sums do not
+// depend on the number of threads.
+constexpr int kForceChunk = 32;
+// Largest size (bytes) of the element forces for which the rest of a step's data also fits into a processor's own cache
+// (1 to 2 MB).
+constexpr std::size_t kCacheForForces = 1 << 19;
+
+struct ForceKernels {
+  update_kernel::SumKernel sum;
+  hinge_kernel::Kernel hinges;
+};
+
+const ForceKernels& force_kernels() {
+  static const ForceKernels chosen = {NETPOCKET_VARIANT_OF(update_kernel, sum_forces),
+                                      NETPOCKET_VARIANT_OF(hinge_kernel, forces)};
+  return chosen;
+}
+
+}  // namespace
+
+SystemForces::SystemForces(const Model& model, CableElements& elements, const CableState& state,
+                           SystemContacts& contacts, TravelledWay& travelled, const SystemThreads& threads)
+    : model_(model),
+      elements_(elements),
+      state_(state),
+      contacts_(contacts),
+      travelled_(travelled),
+      threads_(threads),
+      assembly_(elements.batch_elements(), state.layout.size(), threads.count()),
+      wrinkling_(model, elements.batch_elements(), elements.is_full()),
+      element_forces_(static_cast<std::size_t>(elements.batch().block_count()) * kForceRows * kBlockSize, 0.0),
+      applied_(state.layout.size()),
+      wrenches_(state.bodies.size()) {
+  collect_hinges();
+  applied_.set_constant(elements.constant_loads());
+  for (const DynamicBody& body : state.bodies) {
+    std::set<std::int32_t> blocks;
+    for (const DynamicBody::Attachment& attachment : body.attachments()) {
+      blocks.insert(attachment.coordinate / kBlockSize);
+    }
+    attached_blocks_.emplace_back(blocks.begin(), blocks.end());
+  }
+}
+
+// Keeps the hinges' order and begins a new block wherever the body that keeps the hinge plane changes.
+void SystemForces::collect_hinges() {
+  for (const Hinge& hinge : model_.hinges) {
+    if (hinges_.empty() || hinges_.back().body != hinge.body || hinges_.back().count == kBlockSize) {
+      hinges_.emplace_back();
+      hinges_.back().body = hinge.body;
+    }
+    HingeBlock& block = hinges_.back();
+    // Fill the unused lanes with this hinge too. Their results are ignored.
+    for (int lane = block.count; lane < kBlockSize; ++lane) {
+      for (int i = 0; i < 9; ++i) block.rest_rotation[i][lane] = hinge.rest_rotation.data()[i];
+      block.stiffness[lane] = hinge.stiffness;
+      block.damping[lane] = hinge.damping;
+      block.gradient1[lane] = state_.layout.gradient(hinge.gradient1);
+      block.gradient2[lane] = state_.layout.gradient(hinge.gradient2);
+    }
+    ++block.count;
+  }
+}
+
+void SystemForces::keep_current(double dt) {
+  if (!are_current() || step_ != dt) compute(dt);
+}
+
+void SystemForces::compute(double dt) {
+  const StepTimes times{.kick = 0.5 * (state_.last_step + dt), .drift = dt};
+  elements_.update_ropes();
+  contacts_.look_around(travelled_, dt);
+  const double cord_speed = travelled_.cord_speed();
+  add_elements([&] {
+    applied_.clear();
+    for (Wrench& wrench : wrenches_) wrench = Wrench{};
+    add_hinges(times.kick);
+    wrinkling_.add_forces(state_.coordinates, applied_);
+    RopeDynamics& ropes = elements_.ropes();
+    if (!ropes.empty()) {
+      ropes.add_flow_forces(state_.coordinates, state_.velocities, state_.last_step, times.kick, applied_);
+    }
+    contacts_.find(cord_speed, dt);
+  });
+  contacts_.add_cord_forces(
+      times, [this](auto blocks, double* rows) { sum(blocks, rows); }, applied_, wrenches_);
+  for (std::size_t b = 0; b < wrenches_.size(); ++b) {
+    add_attachments(b);
+    add_gravity(b);
+  }
+  contacts_.add_body_forces(times, wrenches_);
+  version_ = state_.version;
+  step_ = dt;
+  ++computations_;
+}
+
+template <typename Meanwhile>
+void SystemForces::add_elements(const Meanwhile& meanwhile) {
+  const int blocks = elements_.batch().block_count(), chunks = (blocks + kForceChunk - 1) / kForceChunk;
+  chunk_power_.resize(chunks);
+  const auto compute_chunks = [&](int first_chunk, int last_chunk) {
+    for (int chunk = first_chunk; chunk < last_chunk; ++chunk) {
+      const int first = chunk * kForceChunk, last = std::min(blocks, first + kForceChunk);
+      chunk_power_[chunk] =
+          elements_.forces(first, last, state_.coordinates, state_.velocities, element_forces_.data());
+    }
+  };
+  threads_.run(chunks, compute_chunks, meanwhile);
+  element_power_ = {};
+  for (const BatchPower& power : chunk_power_) {
+    element_power_.dissipated += power.dissipated;
+    element_power_.fed += power.fed;
+  }
+}
+
+void SystemForces::add_hinges(double kick) {
+  hinge_power_ = 0;
+  hinge_safeguards_ = {};
+  hinge_torques_.assign(wrenches_.size(), SectorSum<Eigen::Vector3d>(Eigen::Vector3d::Zero()));
+  for (HingeBlock& block : hinges_) {
+    hinge_kernel::Axes axes{{1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, 0}};
+    if (block.body >= 0) {
+      const RigidBody& body = state_.bodies[block.body].rigid();
+      std::copy_n(body.rotation().data(), 9, axes.rotation);
+      std::copy_n(body.angular_velocity().data(), 3, axes.angular_velocity);
+    }
+    force_kernels().hinges(state_.coordinates.rows(), state_.velocities.rows(), elements_.inverse_mass().data(), kick,
+                           axes, block);
+    for (int lane = 0; lane < block.count; ++lane) {
+      applied_.add(block.gradient1[lane], lane_of(block.on_gradient1, lane));
+      applied_.add(block.gradient2[lane], lane_of(block.on_gradient2, lane));
+      if (block.body >= 0) hinge_torques_[block.body].add(lane, lane_of(block.torque_on_body, lane));
+      hinge_power_ += block.dissipated_power[lane];
+      hinge_safeguards_.limited_hinges += block.is_limited[lane] > 0 ? 1 : 0;
+      hinge_safeguards_.loose_hinges += block.is_loose[lane] > 0 ? 1 : 0;
+    }
+  }
+  for (std::size_t b = 0; b < wrenches_.size(); ++b) wrenches_[b].torque += hinge_torques_[b].total();
+}
+
+// Adds the forces on a body's attachments, from elements and applied forces, to the body's wrench.
+void SystemForces::add_attachments(std::size_t body) {
+  const std::span<const std::int32_t> blocks = attached_blocks_[body];
+  attached_forces_.resize(blocks.size() * kVectorRows * kBlockSize);
+  sum(blocks, attached_forces_.data());
+  SectorSum<Eigen::Vector3d> force(Eigen::Vector3d::Zero()), torque(Eigen::Vector3d::Zero());
+  std::size_t place = 0;
+  const DynamicBody& moving = state_.bodies[body];
+  for (const DynamicBody::Attachment& attachment : moving.attachments()) {
+    while (blocks[place] != attachment.coordinate / kBlockSize) ++place;
+    const double* row = attached_forces_.data() + place * kVectorRows * kBlockSize + attachment.coordinate % kBlockSize;
+    const Wrench wrench = moving.attachment_wrench(attachment, {row[0], row[kBlockSize], row[2 * kBlockSize]});
+    force.add(attachment.coordinate, wrench.force);
+    torque.add(attachment.coordinate, wrench.torque);
+  }
+  wrenches_[body] += Wrench{force.total(), torque.total()};
+}
+
+void SystemForces::add_gravity(std::size_t body) {
+  const Eigen::Vector3d weight = model_.bodies[body].mass * model_.gravity;
+  wrenches_[body].force += weight;
+  wrenches_[body].torque += (state_.bodies[body].centre() - state_.bodies[body].rigid().position()).cross(weight);
+}
+
+update_kernel::UpdateView SystemForces::view() const {
+  update_kernel::UpdateView view{};
+  assembly_.describe(view);
+  view.element_forces = element_forces_.data();
+  view.exceeds_cache = element_forces_.size() * sizeof(double) > kCacheForForces;
+  view.applied = applied_.rows();
+  view.loaded = applied_.loaded();
+  return view;
+}
+
+void SystemForces::sum(std::span<const std::int32_t> coordinate_blocks, double* rows) const {
+  force_kernels().sum(view(), coordinate_blocks.data(), coordinate_blocks.size(), rows);
+}
+
+double SystemForces::with_hinge_energy(double energy) const {
+  const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
+  for (const Hinge& hinge : model_.hinges) {
+    const Eigen::Matrix3d axes =
+        hinge.body >= 0 ? state_.bodies[hinge.body].rigid().rotation() : Eigen::Matrix3d::Identity();
+    energy += hinge_forces(hinge, state_.coordinates.get(state_.layout.gradient(hinge.gradient1)),
+                           state_.coordinates.get(state_.layout.gradient(hinge.gradient2)), zero, zero, axes, zero)
+                  .energy;
+  }
+  return energy;
+}
+
+double SystemForces::load_work() const {
+  double work = 0;
+  const CoordinateVectors* loads = applied_.constant();
+  for (std::int32_t coordinate = 0; loads != nullptr && coordinate < state_.layout.size(); ++coordinate) {
+    work += loads->get(coordinate).dot(state_.coordinates.get(coordinate));
+  }
+  for (std::size_t b = 0; b < wrenches_.size(); ++b) {
+    work += model_.bodies[b].mass * model_.gravity.dot(state_.bodies[b].centre());
+  }
+  return work;
+}
+
+}  // namespace netpocket

@@ -1,0 +1,96 @@
+#pragma once
+// All forces of a system at its present state: elements, hinges, wrinkling, ropes, contacts, gravity and loads.
+// Internal to this room.
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "engine/base/aligned_vector.h"
+#include "engine/dynamics/assembly/applied_forces.h"
+#include "engine/dynamics/assembly/assembly.h"
+#include "engine/dynamics/assembly/safeguards.h"
+#include "engine/dynamics/assembly/update_kernel.h"
+#include "engine/dynamics/joints/hinge_kernel.h"
+#include "engine/dynamics/joints/rod_wrinkling.h"
+#include "engine/dynamics/system/cable_elements.h"
+#include "engine/dynamics/system/cable_state.h"
+#include "engine/dynamics/system/system_contacts.h"
+#include "engine/dynamics/system/system_threads.h"
+#include "engine/dynamics/system/travelled_way.h"
+#include "engine/math/sector_sum.h"
+
+namespace netpocket {
+
+class SystemForces {
+ public:
+  // All must outlive this object.
+  SystemForces(const Model& model, CableElements& elements, const CableState& state, SystemContacts& contacts,
+               TravelledWay& travelled, const SystemThreads& threads);
+
+  // Computes the forces for a next step of `dt` (s): always, or unless they are known for this state and step. Forces
+  // computed for a snapshot are kept, so that the next step need not compute them again.
+  void compute(double dt);
+  void keep_current(double dt);
+  // To be called when anything but the state has changed that forces depend on.
+  void forget() { version_ = -1; }
+  // Whether forces are known for the present state, and a number that differs for each computation.
+  bool are_current() const { return version_ == state_.version; }
+  std::int64_t computations() const { return computations_; }
+
+  // On bodies, about the centre of mass with their attachments.
+  const std::vector<Wrench>& wrenches() const { return wrenches_; }
+  // On coordinates, as the update kernels take them. Masses and state are not set.
+  update_kernel::UpdateView view() const;
+  int block_count() const { return assembly_.block_count(); }
+
+  // Powers (W) at the present state: of the elements; of the hinges' dampers.
+  const BatchPower& element_power() const { return element_power_; }
+  double hinge_power() const { return hinge_power_; }
+  // Counts of the hinges' safeguards in the present forces.
+  const SafeguardCounts& hinge_safeguards() const { return hinge_safeguards_; }
+
+  RodWrinkling& wrinkling() { return wrinkling_; }
+  double wrinkling_energy() const { return wrinkling_.energy(state_.coordinates); }  // J
+  // `energy` (J) plus that of the hinges.
+  double with_hinge_energy(double energy) const;
+  // Work (J) of gravity and constant loads, up to an additive constant.
+  double load_work() const;
+
+ private:
+  void collect_hinges();
+  template <typename Meanwhile>
+  void add_elements(const Meanwhile& meanwhile);
+  void add_hinges(double kick);
+  void add_attachments(std::size_t body);
+  void add_gravity(std::size_t body);
+  void sum(std::span<const std::int32_t> coordinate_blocks, double* rows) const;
+
+  const Model& model_;
+  CableElements& elements_;
+  const CableState& state_;
+  SystemContacts& contacts_;
+  TravelledWay& travelled_;
+  const SystemThreads& threads_;
+
+  Assembly assembly_;
+  AlignedVector<HingeBlock> hinges_;
+  RodWrinkling wrinkling_;
+  AlignedVector<double> element_forces_;
+  AppliedForces applied_;  // all forces but those of elements
+  std::vector<Wrench> wrenches_;
+  std::vector<std::vector<std::int32_t>>
+      attached_blocks_;                    // by body: blocks of coordinates that hold its attachments, ascending
+  AlignedVector<double> attached_forces_;  // on the attached blocks of one body
+  BatchPower element_power_;
+  std::vector<BatchPower> chunk_power_;
+  double hinge_power_ = 0;
+  SafeguardCounts hinge_safeguards_;
+  std::vector<SectorSum<Eigen::Vector3d>> hinge_torques_;  // N m, by body
+  std::int64_t version_ = -1;                              // of the state that forces are for
+  double step_ = 0;                                        // s, step that forces are for
+  std::int64_t computations_ = 0;
+};
+
+}  // namespace netpocket
