@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <random>
 #include <stdexcept>
@@ -227,6 +228,29 @@ struct Simulation::Impl {
                        time_step);
   }
 
+  RunStatus advance_while(const std::function<bool()>& goes_on, const std::stop_token& stop) {
+    const double wall_before = wall_seconds(), cpu_before = cpu_seconds(system);
+    RunStatus status{RunReason::finished, 0, "reached the requested time"};
+    std::optional<RunStatus> failure;
+    if (sound_state.empty()) keep_sound_state();
+    while (!failure && goes_on()) {
+      if (stop.stop_requested()) {
+        status = {RunReason::stopped, 0, "stopped on request"};
+        break;
+      }
+      step();
+      if (system.steps() % kFaultInterval != 0) continue;
+      failure = check();
+      if (!failure && system.steps() >= sound_step + kCopyInterval) keep_sound_state();
+    }
+    if (!failure) failure = check();
+    if (failure) status = *failure;
+    status.time = system.time();
+    wall += wall_seconds() - wall_before;
+    cpu += cpu_seconds(system) - cpu_before;
+    return status;
+  }
+
   void keep_sound_state() {
     sound_state = state();
     sound_step = checked_step = system.steps();
@@ -293,27 +317,18 @@ const Structure& Simulation::structure() const { return impl_->capture_system.st
 double Simulation::time() const { return impl_->system.time(); }
 
 RunStatus Simulation::advance(double until, const std::stop_token& stop) {
-  const double wall = wall_seconds(), cpu = cpu_seconds(impl_->system);
-  RunStatus status{RunReason::finished, 0, "reached the requested time"};
-  std::optional<RunStatus> failure;
-  if (impl_->sound_state.empty()) impl_->keep_sound_state();
   // Tolerance of half a step: a sum of many steps is not exactly the time of a frame.
-  while (!failure && time() + 0.5 * impl_->time_step < until) {
-    if (stop.stop_requested()) {
-      status = {RunReason::stopped, 0, "stopped on request"};
-      break;
-    }
-    impl_->step();
-    if (impl_->system.steps() % kFaultInterval != 0) continue;
-    failure = impl_->check();
-    if (!failure && impl_->system.steps() >= impl_->sound_step + kCopyInterval) impl_->keep_sound_state();
-  }
-  if (!failure) failure = impl_->check();
-  if (failure) status = *failure;
-  status.time = time();
-  impl_->wall += wall_seconds() - wall;
-  impl_->cpu += cpu_seconds(impl_->system) - cpu;
-  return status;
+  return impl_->advance_while([&] { return time() + 0.5 * impl_->time_step < until; }, stop);
+}
+
+RunStatus Simulation::advance_steps(std::int64_t count, const std::stop_token& stop) {
+  const std::int64_t last = impl_->system.steps() + count;
+  return impl_->advance_while([&] { return impl_->system.steps() < last; }, stop);
+}
+
+void Simulation::add_controller(std::unique_ptr<Controller> controller, double period) {
+  impl_->controls.add(std::move(controller), period);
+  impl_->sound_state.clear();  // it lacks the state of this controller
 }
 
 Snapshot Simulation::snapshot() {

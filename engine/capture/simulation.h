@@ -17,6 +17,8 @@
 
 namespace netpocket {
 
+class Controller;  // control/controller.h
+
 struct SimulationOptions {
   int threads = 1;
 };
@@ -37,6 +39,13 @@ class Simulation {
   // last sound one. The status then says which step failed, and which cable, contact or body. Steps do not depend on
   // how calls of advance divide the time: an output interval is a whole number of steps.
   RunStatus advance(double until, const std::stop_token& stop = {});
+  // The same for a number of steps, however long they are.
+  RunStatus advance_steps(std::int64_t count, const std::stop_token& stop = {});
+
+  // Adds a controller to those of the capture system, from now on. It rules where both wind a rope or prescribe a
+  // motion. `period` (s) between its samples; 0: asked before every step. Its state becomes part of checkpoints. What
+  // it throws leaves advance(), at a whole step.
+  void add_controller(std::unique_ptr<Controller> controller, double period = 0);
 
   // The present state. Channels that are averages (contact force) are means since the previous call.
   Snapshot snapshot();

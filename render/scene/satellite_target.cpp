@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kInset = 0.985;  // drawn a little inside the surface that is touched
-constexpr int kSegments = 3;      // of a solar panel
+constexpr int kPanelSegments = 3;      // of a solar panel
 constexpr int kCellsAcross = 8;
 constexpr Color kDishFront = {0.93, 0.93, 0.90};
 
@@ -71,8 +71,8 @@ class SatellitePainter {
 
   void add_panel(const Satellite::Part& part) {
     const Vector3d size = box_of(part).size;
-    const double gap = 0.02 * size.x(), length = (size.x() - (kSegments - 1) * gap) / kSegments;
-    for (int i = 0; i < kSegments; ++i) {
+    const double gap = 0.02 * size.x(), length = (size.x() - (kPanelSegments - 1) * gap) / kPanelSegments;
+    for (int i = 0; i < kPanelSegments; ++i) {
       const double x = -0.5 * size.x() + 0.5 * length + i * (length + gap);
       const Vector3d centre = part.centre + x * Vector3d::UnitX();
       surface_.set_color(kSolarCell);

@@ -1,0 +1,170 @@
+// Models of cables of any kind, and systems that step them.
+
+#include <memory>
+
+#include "engine/dynamics/system/cable_system.h"
+#include "engine/model/model.h"
+#include "engine/python/conversions.h"
+
+namespace netpocket::python {
+namespace {
+
+std::int32_t add_node(Model& model, const Eigen::Vector3d& position, double mass, const Eigen::Vector3d& load,
+                      const Eigen::Vector3d& velocity, bool fixed) {
+  const std::int32_t node = model.add_node(position);
+  ModelNode& added = model.nodes.back();
+  added.point_mass = mass;
+  added.load = load;
+  added.velocity = velocity;
+  if (fixed) model.fix_node(node);
+  return node;
+}
+
+std::int32_t add_material(Model& model, double EA, double EI, double mass_per_length, double axial_damping,
+                          double bending_damping, double compression, double radius, double youngs_modulus,
+                          double poisson_ratio) {
+  return model.add_material({.section = {.EA = EA,
+                                         .EI = EI,
+                                         .mass_per_length = mass_per_length,
+                                         .axial_damping = axial_damping,
+                                         .bending_damping = bending_damping,
+                                         .compression = compression},
+                             .radius = radius,
+                             .youngs_modulus = youngs_modulus,
+                             .poisson_ratio = poisson_ratio});
+}
+
+std::vector<std::int32_t> add_cable(Model& model, std::int64_t begin, std::int64_t end, int elements,
+                                    std::int64_t material, const std::string& name) {
+  if (elements < 1) throw py::value_error("a cable needs at least one element");
+  const std::int32_t first = checked_index(begin, model.nodes.size(), "node"),
+                     last = checked_index(end, model.nodes.size(), "node");
+  if (model.nodes[first].position == model.nodes[last].position) {
+    throw py::value_error("the ends of a cable must not coincide");
+  }
+  const std::int32_t thread = model.add_thread(name);
+  return model.add_straight_cable(first, last, elements, checked_index(material, model.materials.size(), "material"), 0,
+                                  thread);
+}
+
+std::int32_t add_sphere(Model& model, const std::string& name, double radius, double mass,
+                        const Eigen::Vector3d& position, const Eigen::Vector3d& velocity) {
+  if (!(radius > 0) || !(mass > 0)) throw py::value_error("a sphere needs a positive radius and mass");
+  const Shape shape = Sphere{radius};
+  ModelBody body{.name = name, .shape = shape, .mass = mass, .inertia = solid_inertia(shape, mass), .state = {}};
+  body.state.position = position;
+  body.state.velocity = velocity;
+  return model.add_body(body);
+}
+
+std::int32_t add_box(Model& model, const std::string& name, const Eigen::Vector3d& size, double mass,
+                     const Eigen::Vector3d& position, const Eigen::Vector3d& velocity) {
+  if (!(size.minCoeff() > 0) || !(mass > 0)) throw py::value_error("a box needs positive edges and mass");
+  const Shape shape = Box{size};
+  ModelBody body{.name = name, .shape = shape, .mass = mass, .inertia = solid_inertia(shape, mass), .state = {}};
+  body.state.position = position;
+  body.state.velocity = velocity;
+  return model.add_body(body);
+}
+
+void check_fault(const CableSystem& system) {
+  if (const auto fault = system.fault()) throw RunDiverged{{RunReason::diverged, system.time(), *fault}};
+}
+
+void step(CableSystem& system, double dt, std::int64_t count) {
+  if (!(dt > 0)) throw py::value_error("a step must be positive");
+  for (std::int64_t i = 0; i < count; ++i) {
+    {
+      const py::gil_scoped_release unlocked;
+      for (int part = 0; part < 256 && i < count; ++part, ++i) system.step(dt);
+      --i;
+    }
+    check_fault(system);
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+  }
+}
+
+void bind_parts(py::module_& module) {
+  py::class_<Model>(module, "Model", "A model of cables and rigid bodies. SI units, world frame.")
+      .def(py::init<>())
+      .def_readwrite("gravity", &Model::gravity, "m/s^2.")
+      .def("add_material", &add_material, py::kw_only(), py::arg("EA"), py::arg("EI"), py::arg("mass_per_length"),
+           py::arg("axial_damping") = 0.0, py::arg("bending_damping") = 0.0, py::arg("compression") = 1.0,
+           py::arg("radius") = 0.0, py::arg("youngs_modulus") = 0.0, py::arg("poisson_ratio") = 0.0,
+           "A cord: EA (N), EI (N m^2), kg/m, damping (s), the fraction of EA in compression; for contact radius (m), "
+           "Young's modulus (Pa). Returns its index.")
+      .def("add_node", &add_node, py::arg("position"), py::kw_only(), py::arg("mass") = 0.0,
+           py::arg("load") = kZeroVector, py::arg("velocity") = kZeroVector, py::arg("fixed") = false,
+           "A node (m), with a point mass (kg), a constant load (N) and a velocity (m/s). Returns its index.")
+      .def("add_cable", &add_cable, py::arg("begin"), py::arg("end"), py::arg("elements"), py::arg("material"),
+           py::arg("name") = "cable", "A straight, unstrained cable between two nodes. Returns its elements.")
+      .def("add_sphere", &add_sphere, py::arg("name"), py::kw_only(), py::arg("radius"), py::arg("mass"),
+           py::arg("position") = kZeroVector, py::arg("velocity") = kZeroVector,
+           "A rigid sphere (m, kg). Returns its index.")
+      .def("add_box", &add_box, py::arg("name"), py::kw_only(), py::arg("size"), py::arg("mass"),
+           py::arg("position") = kZeroVector, py::arg("velocity") = kZeroVector,
+           "A rigid box (m, kg). Returns its index.")
+      .def(
+          "contact",
+          [](Model& m, double restitution, double friction, bool cords, bool bodies) {
+            m.contact = {.restitution = restitution, .friction = friction, .cords = cords, .bodies = bodies};
+          },
+          py::kw_only(), py::arg("restitution") = 0.5, py::arg("friction") = 0.0, py::arg("cords") = false,
+          py::arg("bodies") = false, "Constants of contact, and what else touches besides cords and bodies.")
+      .def("find_fault", &Model::find_fault, "What is wrong with the model, one sentence, or None.")
+      .def_property_readonly("node_count", [](const Model& m) { return m.nodes.size(); })
+      .def_property_readonly("element_count", [](const Model& m) { return m.elements.size(); });
+}
+
+}  // namespace
+
+void bind_model(py::module_& module) {
+  bind_parts(module);
+  py::class_<EnergyAudit>(module, "Energies", "Energies of a system at one moment, J.")
+      .def_readonly("kinetic", &EnergyAudit::kinetic)
+      .def_readonly("strain", &EnergyAudit::strain)
+      .def_readonly("contact", &EnergyAudit::contact)
+      .def_readonly("input", &EnergyAudit::input, "Work since the start: gravity, loads, controls, winding.")
+      .def_property_readonly("spent", [](const EnergyAudit& e) { return e.spent.total(); })
+      .def_readonly("error", &EnergyAudit::error, "What the account does not explain.");
+  py::class_<CableSystem>(module, "System", "Steps a model in time. One thread at a time.")
+      .def(py::init([](const Model& model, bool full) {
+             return std::make_unique<CableSystem>(
+                 model, SystemOptions{full ? ElementEvaluation::full : ElementEvaluation::mean_strain});
+           }),
+           py::arg("model"), py::kw_only(), py::arg("full") = false,
+           "`full`: five Gauss points and consistent mass, the reference; else the fast mean-strain elements. Raises "
+           "ValueError with what is wrong with the model.")
+      .def_property_readonly("time", &CableSystem::time, "s.")
+      .def(
+          "stable_step", [](CableSystem& s) { return s.stable_step().step; },
+          "Largest stable step (s), without a safety factor.")
+      .def("step", &step, py::arg("dt"), py::arg("count") = 1,
+           "Makes steps of dt (s), without the interpreter lock. Raises DivergedError.")
+      .def(
+          "position",
+          [](const CableSystem& s, std::int64_t node) {
+            return s.position(checked_index(node, s.model().nodes.size(), "node"));
+          },
+          py::arg("node"), "m.")
+      .def(
+          "velocity",
+          [](const CableSystem& s, std::int64_t node) {
+            return s.velocity(checked_index(node, s.model().nodes.size(), "node"));
+          },
+          py::arg("node"), "m/s, at the last half step.")
+      .def(
+          "body",
+          [](const CableSystem& s, std::int64_t body) {
+            return s.body(checked_index(body, s.model().bodies.size(), "body"));
+          },
+          py::arg("body"))
+      .def("energies", &CableSystem::audit)
+      .def("snapshot", [](CableSystem& s) {
+        auto snapshot = std::make_shared<Snapshot>();
+        s.capture(*snapshot);
+        return snapshot;
+      });
+}
+
+}  // namespace netpocket::python
