@@ -1,10 +1,13 @@
 // Models of cables of any kind, and systems that step them.
 
+#include <algorithm>
+#include <atomic>
 #include <memory>
 
 #include "engine/dynamics/system/cable_system.h"
 #include "engine/model/model.h"
 #include "engine/python/conversions.h"
+#include "engine/python/single_use.h"
 
 namespace netpocket::python {
 namespace {
@@ -67,17 +70,37 @@ std::int32_t add_box(Model& model, const std::string& name, const Eigen::Vector3
   return model.add_body(body);
 }
 
+// A system that one thread at a time may use.
+class PythonSystem {
+ public:
+  PythonSystem(const Model& model, const SystemOptions& options) : system_(model, options) {}
+
+  template <typename Function>
+  auto with(const Function& function) {
+    const SingleUse used(busy_, "system");
+    return function(system_);
+  }
+
+ private:
+  CableSystem system_;
+  std::atomic<bool> busy_ = false;
+};
+
 void check_fault(const CableSystem& system) {
   if (const auto fault = system.fault()) throw RunDiverged{{RunReason::diverged, system.time(), *fault}};
 }
 
+std::int32_t node_of(const CableSystem& system, std::int64_t node) {
+  return checked_index(node, system.model().nodes.size(), "node");
+}
+
 void step(CableSystem& system, double dt, std::int64_t count) {
   if (!(dt > 0)) throw py::value_error("a step must be positive");
-  for (std::int64_t i = 0; i < count; ++i) {
+  constexpr std::int64_t kPart = 256;
+  for (std::int64_t left = count; left > 0; left -= kPart) {
     {
       const py::gil_scoped_release unlocked;
-      for (int part = 0; part < 256 && i < count; ++part, ++i) system.step(dt);
-      --i;
+      for (std::int64_t i = 0; i < std::min(left, kPart); ++i) system.step(dt);
     }
     check_fault(system);
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
@@ -127,44 +150,56 @@ void bind_model(py::module_& module) {
       .def_readonly("input", &EnergyAudit::input, "Work since the start: gravity, loads, controls, winding.")
       .def_property_readonly("spent", [](const EnergyAudit& e) { return e.spent.total(); })
       .def_readonly("error", &EnergyAudit::error, "What the account does not explain.");
-  py::class_<CableSystem>(module, "System", "Steps a model in time. One thread at a time.")
+  py::class_<PythonSystem>(module, "System", "Steps a model in time. One thread at a time.")
       .def(py::init([](const Model& model, bool full) {
-             return std::make_unique<CableSystem>(
+             return std::make_unique<PythonSystem>(
                  model, SystemOptions{full ? ElementEvaluation::full : ElementEvaluation::mean_strain});
            }),
            py::arg("model"), py::kw_only(), py::arg("full") = false,
            "`full`: five Gauss points and consistent mass, the reference; else the fast mean-strain elements. Raises "
            "ValueError with what is wrong with the model.")
-      .def_property_readonly("time", &CableSystem::time, "s.")
+      .def_property_readonly(
+          "time", [](PythonSystem& s) { return s.with([](auto& system) { return system.time(); }); }, "s.")
       .def(
-          "stable_step", [](CableSystem& s) { return s.stable_step().step; },
+          "stable_step", [](PythonSystem& s) { return s.with([](auto& system) { return system.stable_step().step; }); },
           "Largest stable step (s), without a safety factor.")
-      .def("step", &step, py::arg("dt"), py::arg("count") = 1,
-           "Makes steps of dt (s), without the interpreter lock. Raises DivergedError.")
+      .def(
+          "step",
+          [](PythonSystem& s, double dt, std::int64_t count) {
+            s.with([&](CableSystem& system) { step(system, dt, count); });
+          },
+          py::arg("dt"), py::arg("count") = 1,
+          "Makes steps of dt (s), without the interpreter lock. Raises DivergedError.")
       .def(
           "position",
-          [](const CableSystem& s, std::int64_t node) {
-            return s.position(checked_index(node, s.model().nodes.size(), "node"));
+          [](PythonSystem& s, std::int64_t node) {
+            return s.with([&](auto& system) { return system.position(node_of(system, node)); });
           },
           py::arg("node"), "m.")
       .def(
           "velocity",
-          [](const CableSystem& s, std::int64_t node) {
-            return s.velocity(checked_index(node, s.model().nodes.size(), "node"));
+          [](PythonSystem& s, std::int64_t node) {
+            return s.with([&](auto& system) { return system.velocity(node_of(system, node)); });
           },
           py::arg("node"), "m/s, at the last half step.")
       .def(
           "body",
-          [](const CableSystem& s, std::int64_t body) {
-            return s.body(checked_index(body, s.model().bodies.size(), "body"));
+          [](PythonSystem& s, std::int64_t body) {
+            return s.with(
+                [&](auto& system) { return system.body(checked_index(body, system.model().bodies.size(), "body")); });
           },
-          py::arg("body"))
-      .def("energies", &CableSystem::audit)
-      .def("snapshot", [](CableSystem& s) {
-        auto snapshot = std::make_shared<Snapshot>();
-        s.capture(*snapshot);
-        return snapshot;
-      });
+          py::arg("body"), "Motion of a body.")
+      .def(
+          "energies", [](PythonSystem& s) { return s.with([](auto& system) { return system.audit(); }); },
+          "Energies now.")
+      .def(
+          "snapshot",
+          [](PythonSystem& s) {
+            auto snapshot = std::make_shared<Snapshot>();
+            s.with([&](CableSystem& system) { system.capture(*snapshot); });
+            return snapshot;
+          },
+          "The present state, without channels.");
 }
 
 }  // namespace netpocket::python

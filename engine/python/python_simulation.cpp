@@ -13,8 +13,8 @@
 namespace netpocket::python {
 namespace {
 
-// Simulated time (s) between two looks at signals such as Ctrl-C. It takes a few milliseconds.
-constexpr double kPart = 0.05;
+// Simulated time (s) between two looks at signals such as Ctrl-C. It takes some 10 ms.
+constexpr double kPart = 0.1;
 
 const Scenario& checked(const Scenario& scenario) {
   const Diagnostics problems = check_scenario(scenario);
@@ -32,21 +32,17 @@ void look_at_signals() {
 
 }  // namespace
 
-PythonSimulation::Use::Use(std::atomic<bool>& busy) : busy_(busy) {
-  if (busy_.exchange(true)) throw std::runtime_error("another thread is using this simulation");
-}
-
 PythonSimulation::PythonSimulation(const Scenario& scenario, int threads)
     : scenario_(checked(scenario)), simulation_(std::make_unique<Simulation>(scenario, SimulationOptions{threads})) {}
 
 double PythonSimulation::time() {
-  const Use use(busy_);
+  const SingleUse used = use();
   return simulation_->time();
 }
 
 void PythonSimulation::advance(double until) {
   if (!std::isfinite(until)) throw std::invalid_argument("the time to advance to must be finite");
-  const Use use(busy_);
+  const SingleUse used = use();
   const double begin = simulation_->time();
   const int parts = std::max(1, static_cast<int>(std::ceil((until - begin) / kPart)));
   for (int part = 1; part <= parts; ++part) {
@@ -61,7 +57,7 @@ void PythonSimulation::advance(double until) {
 
 void PythonSimulation::step(std::int64_t count) {
   if (count < 0) throw std::invalid_argument("a number of steps cannot be negative");
-  const Use use(busy_);
+  const SingleUse used = use();
   constexpr std::int64_t kSteps = 256;
   while (count > 0) {
     const std::int64_t part = std::min(count, kSteps);
@@ -75,7 +71,7 @@ void PythonSimulation::step(std::int64_t count) {
 }
 
 std::shared_ptr<Snapshot> PythonSimulation::snapshot() {
-  const Use use(busy_);
+  const SingleUse used = use();
   return std::make_shared<Snapshot>(simulation_->snapshot());
 }
 
@@ -85,23 +81,23 @@ std::shared_ptr<Structure> PythonSimulation::structure() {
 }
 
 RunStatistics PythonSimulation::statistics() {
-  const Use use(busy_);
+  const SingleUse used = use();
   return simulation_->statistics();
 }
 
 std::vector<double> PythonSimulation::checkpoint() {
-  const Use use(busy_);
+  const SingleUse used = use();
   return simulation_->checkpoint();
 }
 
 void PythonSimulation::restore(std::span<const double> state) {
-  const Use use(busy_);
+  const SingleUse used = use();
   simulation_->restore(state);
 }
 
 std::vector<std::string> PythonSimulation::change_strategy(const Scenario& scenario) {
   checked(scenario);
-  const Use use(busy_);
+  const SingleUse used = use();
   const std::vector<std::string> others = simulation_->change_strategy(scenario);
   scenario_ = simulation_->scenario();
   return others;
@@ -110,7 +106,7 @@ std::vector<std::string> PythonSimulation::change_strategy(const Scenario& scena
 void PythonSimulation::add_controller(const py::object& controller, double rate) {
   if (!(rate >= 0) || !std::isfinite(rate))
     throw std::invalid_argument("the rate of a controller must be 0 or positive");
-  const Use use(busy_);
+  const SingleUse used = use();
   py::object function = py::hasattr(controller, "update") ? controller.attr("update") : controller;
   if (!PyCallable_Check(function.ptr())) {
     throw py::type_error("a controller is a function of (measurements, interval, commands), or has a method update");
@@ -130,7 +126,7 @@ void PythonSimulation::add_controller(const py::object& controller, double rate)
 }
 
 PythonCommands& PythonSimulation::held() {
-  const Use use(busy_);
+  const SingleUse used = use();
   if (script_ == nullptr) {
     const Structure& parts = *structure();
     auto script = std::make_unique<PythonController>(py::none(), py::none(), 0.0, parts.bodies.size(),
@@ -155,9 +151,9 @@ std::int32_t PythonSimulation::body_index(const py::object& body) {
 
 void advance_all(const std::vector<PythonSimulation*>& simulations, const std::vector<double>& until, int threads) {
   if (simulations.size() != until.size()) throw std::invalid_argument("there must be one time for each simulation");
-  std::vector<std::unique_ptr<PythonSimulation::Use>> uses;
+  std::vector<std::unique_ptr<SingleUse>> uses;
   for (PythonSimulation* simulation : simulations) {
-    uses.push_back(std::make_unique<PythonSimulation::Use>(simulation->busy_));
+    uses.push_back(std::make_unique<SingleUse>(simulation->busy_, "simulation"));
   }
   std::vector<std::exception_ptr> errors(simulations.size());
   std::atomic<std::size_t> next = 0;

@@ -7,6 +7,7 @@
 
 #include "engine/capture/simulation.h"
 #include "engine/python/python_controller.h"
+#include "engine/python/single_use.h"
 
 namespace netpocket::python {
 
@@ -35,17 +36,7 @@ class PythonSimulation {
  private:
   friend void advance_all(const std::vector<PythonSimulation*>& simulations, const std::vector<double>& until,
                           int threads);
-  // Held while a thread uses the simulation.
-  class Use {
-   public:
-    explicit Use(std::atomic<bool>& busy);
-    ~Use() { busy_ = false; }
-    Use(const Use&) = delete;
-    Use& operator=(const Use&) = delete;
-
-   private:
-    std::atomic<bool>& busy_;
-  };
+  SingleUse use() { return {busy_, "simulation"}; }
 
   Scenario scenario_;
   std::unique_ptr<Simulation> simulation_;

@@ -89,6 +89,8 @@ void translate(std::exception_ptr error) {
     if (error) std::rethrow_exception(error);
   } catch (const RenderError& e) {
     PyErr_SetString(PyExc_ValueError, e.what());
+  } catch (const FigureError& e) {
+    PyErr_SetString(PyExc_ValueError, e.what());
   }
 }
 
