@@ -37,6 +37,7 @@ Action declare_plot(CLI::App& app);
 Action declare_report(CLI::App& app);
 Action declare_export(CLI::App& app);
 Action declare_info(CLI::App& app);
+Action declare_metrics(CLI::App& app);
 Action declare_findings(CLI::App& app);
 Action declare_study(CLI::App& app);
 Action declare_mesh(CLI::App& app);

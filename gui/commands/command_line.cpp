@@ -36,6 +36,7 @@ constexpr std::array kCommands = {
     Command{"report", "one HTML page about a recording or several", declare_report},
     Command{"export", "write a recording as CSV or for ParaView", declare_export},
     Command{"info", "what a recording holds and came to", declare_info},
+    Command{"metrics", "how well a recorded capture works, in numbers", declare_metrics},
     Command{"findings", "whether recordings show what the paper found", declare_findings},
     Command{"study", "run many variations of a scenario side by side and tabulate them", declare_study},
     Command{"mesh", "tell whether a mesh file can be a target, draw it, and mend what is unambiguous", declare_mesh},

@@ -100,6 +100,7 @@ TEST(BadInput, MissingFilesAndFolders) {
   expect_refusal({"check", place}, 3, "folder");
   for (const std::string& input : {missing, place, scenario_file("case1.toml")}) {
     expect_refusal({"info", input}, 3, input);
+    expect_refusal({"metrics", input}, 3, input);
     expect_refusal({"findings", input}, 3, input);
     expect_refusal({"plot", input, "-o", folder.file("figures")}, 3, input);
     expect_refusal({"render", input, "-o", folder.file("frames")}, 3, input);

@@ -11,8 +11,8 @@
 namespace netpocket {
 namespace {
 
-const std::vector<std::string> kCommands = {"run",  "check",    "render", "plot", "report",  "export",
-                                            "info", "findings", "study",  "mesh", "backends"};
+const std::vector<std::string> kCommands = {"run",  "check",   "render",   "plot",  "report", "export",
+                                            "info", "metrics", "findings", "study", "mesh",   "backends"};
 
 TEST(CommandLine, WithoutArgumentsShowsHelp) {
   unsetenv("QT_QPA_PLATFORM");  // with which the workbench would open

@@ -25,6 +25,9 @@ TEST(OlderRecordings, CanBeDescribedVerifiedAndCompared) {
   EXPECT_NE(info.out.find("netpocket      0.1.0 (ca4457c)"), info.out.npos) << info.out;
   EXPECT_EQ(info.out.find("nan"), info.out.npos) << info.out;
   EXPECT_EQ(run_program({"info", kOlder, "--json"}).exit_code, 0);
+  const auto metrics = run_program({"metrics", kOlder});
+  EXPECT_EQ(metrics.exit_code, 0) << metrics.error;
+  EXPECT_EQ(metrics.out.find("nan"), metrics.out.npos) << metrics.out;
   const auto verified = run_program({"info", kOlder, "--verify"});
   EXPECT_EQ(verified.exit_code, 0) << verified.error;
   const auto findings = run_program({"findings", kOlder, short_recording(folder)});

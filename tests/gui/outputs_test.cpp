@@ -211,6 +211,7 @@ TEST_F(Outputs, OfLoopsOfLinksAreOneSentence) {
                             report(loop),
                             run_words(loop),
                             {"info", loop},
+                            {"metrics", loop},
                             {"check", loop},
                             {"study", loop, "-o", folder_.file("s")},
                             {"export", recording_, "--csv", loop},

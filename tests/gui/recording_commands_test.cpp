@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -65,6 +67,34 @@ TEST(Info, TextNamesTheScenario) {
   const auto result = run_program({"info", short_recording(folder)});
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_TRUE(result.out.starts_with("scenario       case1\n")) << result.out;
+}
+
+// The same metrics in all three forms.
+TEST(Metrics, AreTextOrCsvOrJson) {
+  const TestFolder folder;
+  const std::string recording = short_recording(folder);
+  const auto text = run_program({"metrics", recording});
+  ASSERT_EQ(text.exit_code, 0) << text.error;
+  const auto csv = run_program({"metrics", recording, "--csv"}),
+             written = run_program({"metrics", recording, "--json"});
+  const json metrics = json::parse(written.out).at("metrics");
+  EXPECT_TRUE(csv.out.starts_with("name,value,unit,meaning\n")) << csv.out;
+  EXPECT_EQ(static_cast<std::size_t>(std::count(csv.out.begin(), csv.out.end(), '\n')), metrics.size() + 1);
+  EXPECT_EQ(static_cast<std::size_t>(std::count(text.out.begin(), text.out.end(), '\n')), metrics.size());
+  for (const auto& [name, metric] : metrics.items()) {
+    EXPECT_NE(csv.out.find("\n" + name + ","), csv.out.npos) << name;
+    EXPECT_NE(text.out.find(name + " "), text.out.npos) << name;
+  }
+  // Eight tips on a circle of 7.56 m (scenario.h): 1/2 n r^2 sin(2 pi/n).
+  EXPECT_NEAR(metrics.at("mouth_area_start").at("value").get<double>(), 4 * 7.56 * 7.56 * std::sqrt(0.5), 1e-3);
+  EXPECT_TRUE(metrics.at("first_contact_time").at("value").is_null());
+  EXPECT_GT(metrics.at("utilisation_peak").at("value"), 0) << "strengths come from the scenario";
+}
+
+TEST(Metrics, TakeOneFormAtATime) {
+  const auto result = run_program({"metrics", "a.h5", "--csv", "--json"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_NE(result.error.find("--csv"), result.error.npos) << result.error;
 }
 
 TEST(Findings, JsonHasElevenForEachRun) {
