@@ -1,9 +1,8 @@
 // The engine as a Python module, netpocket._engine. The package netpocket (netpocket/__init__.py) re-exports it.
 
-#include <csignal>
-
 #include "engine/python/conversions.h"
 #include "engine/recording/recording.h"
+#include "generated/commit.h"
 
 namespace netpocket::python {
 namespace {
@@ -44,6 +43,8 @@ void bind_errors(py::module_& /*module*/) { py::register_exception_translator(tr
 PYBIND11_MODULE(_engine, module) {
   using namespace netpocket::python;
   module.doc() = "Netpocket's engine: scenarios, models, simulations and recordings.";
+  module.attr("__version__") = NETPOCKET_VERSION;
+  module.attr("__commit__") = NETPOCKET_COMMIT;
   bind_errors(module);
   bind_scenario(module);
   bind_state(module);

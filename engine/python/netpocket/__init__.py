@@ -31,6 +31,7 @@ from ._engine import (
     Snapshot,
     Structure,
     System,
+    __version__,
     advance_all,
     load,
     loads,

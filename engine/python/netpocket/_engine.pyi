@@ -5,6 +5,9 @@ from typing import Any, Iterator, Optional, Sequence, Union
 import numpy
 import numpy.typing
 
+__version__: str
+__commit__: str
+
 Array = numpy.typing.NDArray[numpy.float64]
 Integers = numpy.typing.NDArray[numpy.int32]
 Vector = Union[Sequence[float], numpy.typing.NDArray[numpy.floating[Any]]]
