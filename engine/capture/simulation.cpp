@@ -339,12 +339,16 @@ Snapshot Simulation::snapshot() {
 std::vector<std::string> Simulation::change_strategy(const Scenario& wanted) {
   std::vector<std::string> need_restart;
   Scenario next = scenario();
-  for (const Parameter& parameter : parameters(next.system)) {
-    if (parameter.get(wanted) == parameter.get(next)) continue;
-    if (acts_at_once(parameter.key, next.system)) {
-      parameter.set(next, parameter.get(wanted));
+  for (const ParameterList& list : parameter_lists(next.system)) {
+    if (list.size(wanted) != list.size(next)) need_restart.emplace_back(list.name);
+  }
+  for (const Parameter* parameter : parameters_of(next)) {
+    const bool is_in_both = find_parameter(parameter->key, wanted) != nullptr;
+    if (!is_in_both || parameter->get(wanted) == parameter->get(next)) continue;
+    if (acts_at_once(parameter->key, next.system)) {
+      parameter->set(next, parameter->get(wanted));
     } else {
-      need_restart.emplace_back(parameter.key);
+      need_restart.emplace_back(parameter->key);
     }
   }
   impl_->adopt(next);

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "engine/math/elementary.h"
+#include "engine/scenario/check_control.h"
 #include "engine/scenario/check_overlaps.h"
 #include "engine/scenario/check_scenario.h"
 #include "engine/scenario/pocket_outline.h"
@@ -26,6 +27,7 @@ class PocketChecker {
     // The following checks need a valid profile.
     check_mesh();
     check_closing();
+    check_control(s_, found_);
     if (target_ != nullptr) check_overlaps(s_, *target_, found_);
   }
 

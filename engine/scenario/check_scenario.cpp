@@ -43,8 +43,13 @@ class Checker {
   bool has_table(std::string_view name) const { return find_parameter_group(name, s_.system) != nullptr; }
 
   void check_limits() {
-    for (const Parameter& parameter : parameters(s_.system)) {
-      if (const auto problem = limit_problem(parameter, parameter.get(s_))) add(parameter.key, *problem);
+    for (const ParameterList& list : parameter_lists(s_.system)) {
+      const std::size_t size = list.size(s_);
+      if (size > kMostItems) add(list.name, fmt::format("has {} tables; {} are allowed", size, kMostItems));
+    }
+    if (!found_.ok()) return;
+    for (const Parameter* parameter : parameters_of(s_)) {
+      if (const auto problem = limit_problem(*parameter, parameter->get(s_))) add(parameter->key, *problem);
     }
   }
 

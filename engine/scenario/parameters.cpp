@@ -1,19 +1,18 @@
 #include <algorithm>
 #include <array>
 #include <stdexcept>
-#include <type_traits>
-#include <utility>
+#include <vector>
 
+#include "engine/scenario/control_table.h"
+#include "engine/scenario/parameter_row.h"
 #include "engine/scenario/shared_parameters.h"
 
 namespace netpocket {
-namespace {
 
 using namespace std::string_view_literals;
 
-// Names of an enum's values, in their order.
-template <typename Enum>
-constexpr std::array<std::string_view, 0> kNames{};
+namespace parameter_rows {
+
 template <>
 constexpr std::array kNames<TargetShape> = {"sphere"sv, "box"sv, "cylinder"sv, "satellite"sv, "mesh"sv};
 template <>
@@ -23,64 +22,21 @@ constexpr std::array kNames<InertiaSource> = {"given"sv, "shape"sv};
 template <>
 constexpr std::array kNames<ClosingLaw> = {"cycloid"sv, "quintic"sv, "trapezoid"sv, "linear"sv, "table"sv};
 template <>
-constexpr std::array kNames<TowingMode> = {"none"sv, "force"sv, "acceleration"sv, "velocity"sv};
+constexpr std::array kNames<TowingMode> = {"none"sv, "force"sv, "acceleration"sv, "velocity"sv, "controlled"sv};
 template <>
 constexpr std::array kNames<StationKeeping> = {"free"sv, "attitude"sv, "lateral"sv};
 template <>
 constexpr std::array kNames<Evaluation> = {"mean_strain"sv, "full"sv};
+template <>
+constexpr std::array kNames<ClosingStart> = {"time"sv, "target_inside"sv, "distance"sv};
+template <>
+constexpr std::array kNames<TowingStart> = {"time"sv, "closed"sv};
 
-// Alternative of ParameterValue that stores a member of type T.
-template <typename T>
-using Stored =
-    std::conditional_t<std::is_enum_v<T>, Choice, std::conditional_t<std::is_same_v<T, int>, std::int64_t, T>>;
+}  // namespace parameter_rows
 
-// Index of a type among a variant's alternatives.
-template <typename T, typename... Alternatives>
-constexpr std::size_t position(std::type_identity<std::variant<Alternatives...>>) {
-  constexpr std::array same = {std::is_same_v<T, Alternatives>...};
-  return std::find(same.begin(), same.end(), true) - same.begin();
-}
+namespace {
 
-// Member reached through a path of pointers to members.
-template <auto... Path, typename S>
-constexpr auto& member(S& scenario) {
-  return (scenario.*....*Path);
-}
-
-template <typename T>
-ParameterValue to_value(const T& member) {
-  if constexpr (std::is_enum_v<T>) {
-    return Choice{static_cast<int>(member)};
-  } else {
-    return static_cast<Stored<T>>(member);
-  }
-}
-
-template <typename T>
-void assign(T& member, const ParameterValue& value) {
-  const auto& stored = std::get<Stored<T>>(value);
-  if constexpr (std::is_enum_v<T>) {
-    member = static_cast<T>(stored.index);
-  } else {
-    member = static_cast<T>(stored);
-  }
-}
-
-template <auto... Path>
-constexpr Parameter parameter(std::string_view key, Limits limits, std::string_view unit, std::string_view help,
-                              std::string_view source) {
-  using T = std::remove_cvref_t<decltype(member<Path...>(std::declval<Scenario&>()))>;
-  return {.key = key,
-          .type = ParameterType{position<Stored<T>>(std::type_identity<ParameterValue>{})},
-          .limits = limits,
-          .unit = unit,
-          .help = help,
-          .source = source,
-          .choices = kNames<T>,
-          .read = [](const Scenario& scenario, const Parameter&) { return to_value(member<Path...>(scenario)); },
-          .write = [](Scenario& scenario, const Parameter&,
-                      const ParameterValue& value) { assign(member<Path...>(scenario), value); }};
-}
+using namespace parameter_rows;
 
 ParameterValue read_system(const Scenario& scenario, const Parameter& parameter) {
   const auto found = std::ranges::find(parameter.choices, scenario.system);
@@ -105,10 +61,6 @@ constexpr Parameter kind_of_system(std::string_view key, std::string_view help, 
           .write = write_system};
 }
 
-constexpr Limits within(double minimum, double maximum) { return {minimum, maximum}; }
-constexpr Limits above(double minimum, double maximum) { return {minimum, maximum, true}; }
-constexpr Limits kNone{};
-
 using S = Scenario;
 constexpr auto kPocket = &S::pocket;
 constexpr auto kNet = &S::net;
@@ -132,7 +84,6 @@ using Towing = TowingParameters;
 using Solver = SolverParameters;
 using Output = OutputParameters;
 
-constexpr auto kAssumption = "assumption"sv;
 constexpr auto kTable1 = "paper, Table 1"sv;
 constexpr auto kTable2 = "paper, Table 2"sv;
 constexpr auto kModulusSource = "paper, Table 2, printed without unit, taken as GPa"sv;
@@ -220,6 +171,10 @@ constexpr std::array kParameters = {
     parameter<kTarget, &Target::attitude>("target.attitude", within(-10, 10), "rad", "rotation vector that turns the world axes into the body axes at the start", kAssumption),
     parameter<kTarget, &Target::velocity>("target.velocity", within(-100, 100), "m/s", "velocity of the centre of mass at the start", "paper, section 4.2: at rest"),
     parameter<kTarget, &Target::spin>("target.spin", within(-100, 100), "rad/s", "angular velocity at the start, world axes", "paper, section 4.2: at rest"),
+    parameter<kTarget, &Target::thrust>("target.thrust", within(-1e5, 1e5), "N", "thrust of its own through the centre of mass, body axes", kAssumption),
+    parameter<kTarget, &Target::torque>("target.torque", within(-1e6, 1e6), "N m", "torque of its own, body axes", kAssumption),
+    parameter<kTarget, &Target::acts_from>("target.acts_from", within(0, 1e5), "s", "time at which thrust and torque of its own begin", kAssumption),
+    parameter<kTarget, &Target::acts_until>("target.acts_until", within(0, 1e5), "s", "time at which they end", kAssumption),
     parameter<kTarget, &Target::youngs_modulus>("target.youngs_modulus", within(1e3, 1e13), "Pa", "Young's modulus, for the contact stiffness", "assumption: aluminium"),
     parameter<kTarget, &Target::poisson_ratio>("target.poisson_ratio", above(-1, 0.5), "", "Poisson's ratio, for the contact stiffness", "assumption: aluminium"),
 
@@ -231,18 +186,22 @@ constexpr std::array kParameters = {
     parameter<kContact, &Contact::bodies>("contact.bodies", kNone, "", "target and spacecraft touch each other; false: they pass through each other", kAssumption),
 
     parameter<kClosing, &Closing::law>("closing.law", kNone, "", "how the rope length goes from open to closed; table: as closing.table says", kAssumption),
-    parameter<kClosing, &Closing::start>("closing.start", within(0, 1e5), "s", "time at which closing starts", "paper, section 4.2"),
+    parameter<kClosing, &Closing::starts_at>("closing.starts_at", kNone, "", "what starts the closing: the time closing.start; the target's centre being inside the pocket; spacecraft and target being within closing.distance", kAssumption),
+    parameter<kClosing, &Closing::start>("closing.start", within(0, 1e5), "s", "time at which closing starts, or before which no event starts it", "paper, section 4.2"),
+    parameter<kClosing, &Closing::distance>("closing.distance", within(1e-3, 1e4), "m", "distance between the centres of mass of spacecraft and target that starts the closing, for starts_at distance", kAssumption),
     parameter<kClosing, &Closing::duration>("closing.duration", within(1e-2, 1e5), "s", "time from open to closed; not used by the law table", "paper, section 4.2, case 1; 7.5 s in case 2, 5 s in case 3"),
     parameter<kClosing, &Closing::closed_length>("closing.closed_length", within(1e-3, 1e3), "m", "rope between adjacent rod tips when closed; not used by the law table", "paper, section 4.1"),
     parameter<kClosing, &Closing::table>("closing.table", within(0, 1e5), "s, m", "[time after start, rope length] from open to closed, for the law table; may pay out again, up to the open length", "user's choice"),
     parameter<kClosing, &Closing::elements>("closing.elements", within(1, 64), "", "variable-length elements in each rope", kAssumption),
 
-    parameter<kTowing, &Towing::mode>("towing.mode", kNone, "", "none; force on the spacecraft; acceleration: force per mass of spacecraft, pocket and target; velocity of the spacecraft", kAssumption),
-    parameter<kTowing, &Towing::start>("towing.start", within(0, 1e5), "s", "time at which towing starts", "paper, section 4.2"),
+    parameter<kTowing, &Towing::mode>("towing.mode", kNone, "", "none; force on the spacecraft; acceleration: force per mass of spacecraft, pocket and target; velocity of the spacecraft; controlled: by a controller of the kind tow", kAssumption),
+    parameter<kTowing, &Towing::starts_at>("towing.starts_at", kNone, "", "what starts the towing: the time towing.start, or the end of the closing", kAssumption),
+    parameter<kTowing, &Towing::start>("towing.start", within(0, 1e5), "s", "time at which towing starts, for starts_at time", "paper, section 4.2"),
     parameter<kTowing, &Towing::duration>("towing.duration", within(1e-3, 1e5), "s", "length of the thrust or of the ramp", kAssumption),
     parameter<kTowing, &Towing::size>("towing.size", within(0, 1e5), "N, m/s^2 or m/s by mode", "size of the force, acceleration or velocity, towards -Y", kAssumption),
     parameter<kTowing, &Towing::offset>("towing.offset", within(-100, 100), "m", "distance of the line of thrust from the axis", kAssumption),
     parameter<kTowing, &Towing::offset_angle>("towing.offset_angle", within(-10, 10), "rad", "direction in which the line of thrust is off the axis, from +X towards +Z; along an axis the pocket keeps a plane of symmetry", kAssumption),
+    parameter<kTowing, &Towing::abort_force>("towing.abort_force", within(0, 1e9), "N", "force of the pocket on the target that ends the towing; 0: none does", kAssumption),
 
     parameter<kSolver, &Solver::evaluation>("solver.evaluation", kNone, "", "mean_strain: one axial strain per element, lumped mass; full: Gauss points, consistent mass", "assumption; strain and curvature of full: Gerstmayr & Shabana 2006"),
     parameter<kSolver, &Solver::pair_strains>("solver.pair_strains", kNone, "", "the elements of a mesh side share their axial strain two by two, which allows larger steps; mean_strain and cords of full compression only", "assumption; ancf/strain_pair.h"),
@@ -259,8 +218,27 @@ constexpr std::array kParameters = {
 
 }  // namespace
 
-std::span<const Parameter> shared_parameters() { return kParameters; }
+std::span<const Parameter> shared_parameters() {
+  static const std::vector<Parameter> kAll = [] {
+    std::vector<Parameter> all(kParameters.begin(), kParameters.end());
+    const auto control = control_parameters();
+    all.insert(all.end(), control.begin(), control.end());
+    return all;
+  }();
+  return kAll;
+}
 
-std::span<const ParameterGroup> shared_groups() { return kGroups; }
+// Those of control precede the last two.
+std::span<const ParameterGroup> shared_groups() {
+  static const std::vector<ParameterGroup> kAll = [] {
+    std::vector<ParameterGroup> all(kGroups.begin(), kGroups.end());
+    const auto control = control_groups();
+    all.insert(all.end() - 2, control.begin(), control.end());
+    return all;
+  }();
+  return kAll;
+}
+
+std::span<const ParameterList> shared_lists() { return control_lists(); }
 
 }  // namespace netpocket

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "engine/scenario/parameter_value.h"
 #include "engine/scenario/scenario.h"
@@ -27,7 +28,8 @@ struct Limits {
 };
 
 struct Parameter {
-  std::string_view key;  // "net.diameter"; a key without a dot belongs to the top level of the file
+  // "net.diameter"; a key without a dot belongs to the top level of the file; "controller.0.rate" to an item of a list.
+  std::string_view key;
   ParameterType type;
   Limits limits;            // unused by booleans and choices
   std::string_view unit;    // empty when dimensionless; for pairs one per column: "m, m"
@@ -38,8 +40,9 @@ struct Parameter {
   ParameterValue (*read)(const Scenario&, const Parameter&);
   void (*write)(Scenario&, const Parameter&, const ParameterValue&);
   ParameterValue (*initial)() = nullptr;  // default of a parameter that a Scenario keeps by its key; else null
+  std::size_t item = 0;                   // of an item of a list: its index
 
-  // Gets the value from a scenario.
+  // Gets the value from a scenario. An item must exist, else throws std::out_of_range; so does `set`.
   ParameterValue get(const Scenario& scenario) const { return read(scenario, *this); }
   // Sets the value in a scenario. It must hold the alternative of `type` (else throws std::bad_variant_access) and be
   // within the limits.
@@ -50,7 +53,7 @@ struct Parameter {
     return dot == key.npos ? std::string_view() : key.substr(0, dot);
   }
   constexpr std::string_view name() const {
-    const auto dot = key.find('.');
+    const auto dot = key.rfind('.');
     return dot == key.npos ? key : key.substr(dot + 1);
   }
 };
@@ -62,6 +65,19 @@ struct ParameterGroup {
   std::string_view help;   // one sentence
 };
 
+// A list of TOML tables with the same parameters, each of which is an item: [[controller]].
+struct ParameterList {
+  std::string_view name;            // "controller", "actuators.thruster"
+  std::string_view title;           // "Controllers"
+  std::string_view help;            // one sentence
+  std::span<const Parameter> rows;  // keys without index: "controller.rate"
+  std::size_t (*size)(const Scenario&);
+  void (*resize)(Scenario&, std::size_t);  // new items have their defaults
+};
+
+// A list with more items is refused.
+inline constexpr std::size_t kMostItems = 32;
+
 inline constexpr std::string_view kPocketSystem = "pocket";
 
 // All parameters of a kind of capture system, group by group in the order of the groups. For a kind that does not
@@ -70,14 +86,24 @@ std::span<const Parameter> parameters(std::string_view system = kPocketSystem);
 std::span<const ParameterGroup> parameter_groups(std::string_view system = kPocketSystem);
 std::span<const Parameter> parameters_of(const ParameterGroup& group, std::string_view system = kPocketSystem);
 
+std::span<const ParameterList> parameter_lists(std::string_view system = kPocketSystem);
+// Those of an item, which need not exist; `item` below kMostItems.
+std::span<const Parameter> parameters_of(const ParameterList& list, std::size_t item);
+// All parameters of a scenario: those of its kind of capture system and those of the items that it has.
+std::vector<const Parameter*> parameters_of(const Scenario& scenario);
+
 // Whether scenarios of earlier versions had this parameter. Such scenarios stay readable; the value has no effect.
 bool is_retired_parameter(std::string_view key);
 
 // Null when there is no such parameter or group.
 const Parameter* find_parameter(std::string_view key, std::string_view system = kPocketSystem);
 const ParameterGroup* find_parameter_group(std::string_view name, std::string_view system = kPocketSystem);
+const ParameterList* find_parameter_list(std::string_view name, std::string_view system = kPocketSystem);
+// Also finds the parameters of items that the scenario has.
+const Parameter* find_parameter(std::string_view key, const Scenario& scenario);
 
-// The existing key, group name or choice that the author of `unknown` most likely meant; nothing when none is similar.
+// The existing key, name of a group or list, or choice that the author of `unknown` most likely meant; nothing when
+// none is similar.
 std::optional<std::string_view> nearest_parameter_key(std::string_view unknown,
                                                       std::string_view system = kPocketSystem);
 std::optional<std::string_view> nearest_group_name(std::string_view unknown, std::string_view system = kPocketSystem);

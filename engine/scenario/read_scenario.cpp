@@ -53,7 +53,7 @@ std::variant<toml::table, Diagnostic> parse(std::string_view text) {
 // Sets the parameters that a parsed file contains.
 class FileReader {
  public:
-  explicit FileReader(Scenario& scenario) : scenario_(scenario) {}
+  FileReader(Scenario& scenario, std::map<std::string, int, std::less<>>& lines) : scenario_(scenario), lines_(lines) {}
 
   void read(const toml::table& file) {
     // The kind of the system decides which tables there are.
@@ -86,9 +86,11 @@ class FileReader {
   };
 
   void read_top(std::string_view key, const toml::node& node) {
-    if (find_parameter_group(key, scenario_.system) && !key.empty()) {
+    if (const ParameterList* list = find_parameter_list(key, scenario_.system)) {
+      read_list(*list, node);
+    } else if (find_parameter_group(key, scenario_.system) && !key.empty()) {
       read_group(key, node);
-    } else if (node.is_table() && !find_parameter(key, scenario_.system)) {
+    } else if ((node.is_table() || node.is_array_of_tables()) && !find_parameter(key, scenario_.system)) {
       report(node, key, [this, name = std::string(key)] {
         return unknown_text(kind_text("a table of a scenario"), nearest_group_name(name, scenario_.system));
       });
@@ -105,11 +107,43 @@ class FileReader {
       });
       return;
     }
-    for (const auto& [key, member] : *table) read_parameter(fmt::format("{}.{}", group, key.str()), member);
+    for (const auto& [key, member] : *table) {
+      const std::string name = fmt::format("{}.{}", group, key.str());
+      if (const ParameterList* list = find_parameter_list(name, scenario_.system)) {
+        read_list(*list, member);
+      } else {
+        read_parameter(name, member);
+      }
+    }
+  }
+
+  // Replaces the items that the scenario has.
+  void read_list(const ParameterList& list, const toml::node& node) {
+    if (!node.is_array_of_tables()) {
+      report(node, list.name, [name = list.name] {
+        return fmt::format("is a list of tables: write [[{}]] and the keys of each on the lines below", name);
+      });
+      return;
+    }
+    const toml::array& tables = *node.as_array();
+    if (tables.size() > kMostItems) {
+      report(node, list.name,
+             [size = tables.size()] { return fmt::format("has {} tables; {} are allowed", size, kMostItems); });
+      return;
+    }
+    list.resize(scenario_, 0);
+    list.resize(scenario_, tables.size());
+    if (!tables.empty()) lines_[std::string(list.name)] = line_of(tables.front());
+    for (std::size_t item = 0; item < tables.size(); ++item) {
+      lines_[fmt::format("{}.{}", list.name, item)] = line_of(*tables.get(item));
+      for (const auto& [key, member] : *tables.get(item)->as_table()) {
+        read_parameter(fmt::format("{}.{}.{}", list.name, item, key.str()), member);
+      }
+    }
   }
 
   void read_parameter(const std::string& key, const toml::node& node) {
-    const Parameter* parameter = find_parameter(key, scenario_.system);
+    const Parameter* parameter = find_parameter(key, scenario_);
     if (is_retired_parameter(key)) return;
     if (!parameter) {
       report(node, key, [this, key] {
@@ -117,6 +151,7 @@ class FileReader {
       });
       return;
     }
+    lines_[key] = line_of(node);
     const auto value = parameter_value(*parameter, node);
     if (const auto* problem = std::get_if<ValueProblem>(&value)) {
       report(node, key, [message = problem->message] { return message; });
@@ -132,10 +167,13 @@ class FileReader {
   }
 
   void report(const toml::node& node, std::string_view key, std::function<std::string()> message) {
-    problems_.push_back({static_cast<int>(node.source().begin.line), std::string(key), std::move(message)});
+    problems_.push_back({line_of(node), std::string(key), std::move(message)});
   }
 
+  static int line_of(const toml::node& node) { return static_cast<int>(node.source().begin.line); }
+
   Scenario& scenario_;
+  std::map<std::string, int, std::less<>>& lines_;
   std::vector<Problem> problems_;
 };
 
@@ -199,13 +237,26 @@ ScenarioResult read_over(Scenario defaults, std::string_view text, const std::st
     result.diagnostics = single(std::move(*problem));
     return result;
   }
-  FileReader reader(result.scenario);
+  FileReader reader(result.scenario, result.lines);
   reader.read(std::get<toml::table>(parsed));
   result.diagnostics = reader.diagnostics(name);
   return result;
 }
 
 }  // namespace
+
+Diagnostics ScenarioResult::with_lines(const Diagnostics& problems, const std::string& file) const {
+  Diagnostics located;
+  for (Diagnostic problem : problems.list()) {
+    auto found = lines.find(problem.key);
+    // The table of an item that does not state the key.
+    if (found == lines.end()) found = lines.find(problem.key.substr(0, problem.key.rfind('.')));
+    if (found != lines.end() && problem.line == 0) problem.line = found->second;
+    if (problem.file.empty()) problem.file = file;
+    located.add(std::move(problem));
+  }
+  return located;
+}
 
 ScenarioResult read_scenario_text(std::string_view text, const std::string& name) { return read_over({}, text, name); }
 
@@ -247,9 +298,13 @@ Diagnostics apply_setting(Scenario& scenario, std::string_view setting) {
     return single({.message = fmt::format("a setting is written key=value, not {}", excerpt(setting))});
   }
   const std::string_view key = trimmed(setting.substr(0, equals));
-  const Parameter* parameter = find_parameter(key, scenario.system);
+  const Parameter* parameter = find_parameter(key, scenario);
   if (!parameter) {
     const auto nearest = nearest_parameter_key(key, scenario.system);
+    if (nearest == key) {
+      return single(
+          {.message = excerpt(key) + " belongs to a table that the scenario does not have; numbers begin with 0"});
+    }
     return single({.message = excerpt(key) + " " + unknown_text("a parameter", nearest)});
   }
   Diagnostics problems = set_parameter(scenario, *parameter, setting.substr(equals + 1));

@@ -4,6 +4,8 @@
 // combinations.
 // Thread contract: any thread may call these functions.
 
+#include <functional>
+#include <map>
 #include <string>
 #include <string_view>
 
@@ -14,10 +16,14 @@
 namespace netpocket {
 
 struct ScenarioResult {
-  Scenario scenario{};        // complete only if ok()
-  Diagnostics diagnostics{};  // sorted by line; at most twenty problems are listed
+  Scenario scenario{};                              // complete only if ok()
+  Diagnostics diagnostics{};                        // sorted by line; at most twenty problems are listed
+  std::map<std::string, int, std::less<>> lines{};  // of the file, by the keys that it states, and by lists
 
   bool ok() const { return diagnostics.ok(); }
+  // The problems that check_scenario found, with the file and the line of each key or, where the file does not state
+  // the key of a list's item, of that item.
+  Diagnostics with_lines(const Diagnostics& problems, const std::string& file) const;
 };
 
 // Larger files are refused unread.

@@ -44,19 +44,36 @@ std::string type_text(const Parameter& parameter) {
   return {};
 }
 
+constexpr std::string_view kHead =
+    "| key | type | default | unit | allowed | meaning | source |\n|---|---|---|---|---|---|---|\n";
+
+constexpr std::string_view kLists = R"(
+# Lists of tables
+
+A scenario may have any number of the following tables, up to 32 of each. Settings and messages number them from 0:
+`--set controller.0.rate=50`.
+)";
+
+std::string row(const Parameter& p, const Scenario& defaults) {
+  return fmt::format("| `{}` | {} | `{}` | {} | {} | {} | {} |\n", p.name(), type_text(p),
+                     toml_text(p, p.get(defaults)), p.unit, allowed_text(p), p.help, p.source);
+}
+
 }  // namespace
 
 std::string parameter_reference() {
-  const Scenario defaults;
+  Scenario defaults;
   std::string text(kIntroduction);
   for (const ParameterGroup& group : parameter_groups()) {
     const std::string table = group.name.empty() ? "" : fmt::format(" `[{}]`", group.name);
-    text += fmt::format("\n## {}{}\n\n{}\n\n", group.title, table, group.help);
-    text += "| key | type | default | unit | allowed | meaning | source |\n|---|---|---|---|---|---|---|\n";
-    for (const Parameter& p : parameters_of(group)) {
-      text += fmt::format("| `{}` | {} | `{}` | {} | {} | {} | {} |\n", p.name(), type_text(p),
-                          toml_text(p, p.get(defaults)), p.unit, allowed_text(p), p.help, p.source);
-    }
+    text += fmt::format("\n## {}{}\n\n{}\n\n{}", group.title, table, group.help, kHead);
+    for (const Parameter& p : parameters_of(group)) text += row(p, defaults);
+  }
+  text += kLists;
+  for (const ParameterList& list : parameter_lists()) {
+    list.resize(defaults, 1);
+    text += fmt::format("\n## {} `[[{}]]`\n\n{}\n\n{}", list.title, list.name, list.help, kHead);
+    for (const Parameter& p : parameters_of(list, 0)) text += row(p, defaults);
   }
   return text;
 }

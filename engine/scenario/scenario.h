@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/scenario/control_parameters.h"
 #include "engine/scenario/parameter_value.h"
 
 namespace netpocket {
@@ -20,7 +21,9 @@ enum class TargetShape { sphere, box, cylinder, satellite, mesh };
 enum class MeshUnit { metre, centimetre, millimetre, inch, foot };
 enum class InertiaSource { given, shape };
 enum class ClosingLaw { cycloid, quintic, trapezoid, linear, table };
-enum class TowingMode { none, force, acceleration, velocity };
+enum class ClosingStart { time, target_inside, distance };
+enum class TowingMode { none, force, acceleration, velocity, controlled };
+enum class TowingStart { time, closed };
 enum class StationKeeping { free, attitude, lateral };
 enum class Evaluation { mean_strain, full };
 
@@ -86,6 +89,10 @@ struct TargetParameters {
   Eigen::Vector3d attitude = {0, 0, 0};               // rad, rotation vector from world to body axes
   Eigen::Vector3d velocity = {0, 0, 0};               // m/s
   Eigen::Vector3d spin = {0, 0, 0};                   // rad/s, world axes
+  Eigen::Vector3d thrust = {0, 0, 0};                 // N, of its own, body axes, through the centre of mass
+  Eigen::Vector3d torque = {0, 0, 0};                 // N m, of its own, body axes
+  double acts_from = 0;                               // s, thrust and torque begin
+  double acts_until = 1e5;                            // s, and end
   double youngs_modulus = 70e9;                       // Pa, for the contact stiffness
   double poisson_ratio = 0.33;
 };
@@ -101,7 +108,9 @@ struct ContactParameters {
 
 struct ClosingParameters {
   ClosingLaw law = ClosingLaw::cycloid;
-  double start = 0;                    // s
+  ClosingStart starts_at = ClosingStart::time;
+  double start = 0;                    // s; an event starts the closing no earlier
+  double distance = 8;                 // m, between the centres of spacecraft and target, for starts_at = distance
   double duration = 10;                // s
   double closed_length = 2.1;          // m, rope length between adjacent tips when closed
   std::vector<Eigen::Vector2d> table;  // (t in s after start, L in m), for law = table
@@ -112,11 +121,13 @@ struct ClosingParameters {
 
 struct TowingParameters {
   TowingMode mode = TowingMode::acceleration;
-  double start = 10;        // s
+  TowingStart starts_at = TowingStart::time;
+  double start = 10;        // s; not used by starts_at = closed
   double duration = 4;      // s, of the thrust or of the velocity ramp
   double size = 0.01;       // N, m/s^2 or m/s, by mode; pulls towards -Y
   double offset = 0.005;    // m, of the line of thrust from the axis
   double offset_angle = 0;  // rad, direction of the offset, from +X towards +Z
+  double abort_force = 0;   // N, force on the target that ends the towing; 0: none does
 
   friend bool operator==(const TowingParameters&, const TowingParameters&) = default;
 };
@@ -164,8 +175,14 @@ struct Scenario {
   ContactParameters contact;
   ClosingParameters closing;
   TowingParameters towing;
+  WinchParameters winch;
+  ActuatorParameters actuators;
   SolverParameters solver;
   OutputParameters output;
+  std::vector<ControllerParameters> controllers;
+  std::vector<SensorParameters> sensors;
+  std::vector<ThrusterParameters> thrusters;
+  std::vector<WheelParameters> wheels;
   // Parameters that only another kind of system has, by key. Those left out have their defaults.
   std::map<std::string, ParameterValue, std::less<>> own;
   FileScope files;

@@ -10,5 +10,6 @@ namespace netpocket {
 
 std::span<const Parameter> shared_parameters();
 std::span<const ParameterGroup> shared_groups();
+std::span<const ParameterList> shared_lists();
 
 }  // namespace netpocket

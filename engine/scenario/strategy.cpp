@@ -4,10 +4,23 @@
 
 namespace netpocket {
 
+namespace {
+
+// Sensors, actuators, and what a controller or a winch is, belong to the system; gains and set points to the strategy.
+bool is_of_strategy(std::string_view key) {
+  const std::string_view name = key.substr(key.rfind('.') + 1);
+  const auto is_one_of = [name](auto... names) { return ((name == names) || ...); };
+  if (key.starts_with("controller.")) return !is_one_of("kind", "phase", "rate", "quantity", "observer", "axes");
+  if (key.starts_with("winch.")) return !is_one_of("drive", "drum_radius", "drum_inertia", "late");
+  return key == "target.thrust" || key == "target.torque" || key.starts_with("target.acts_");
+}
+
+}  // namespace
+
 bool acts_at_once_in_pocket(std::string_view key) {
   if (key == "closing.elements") return false;
-  return key.starts_with("closing.") || key.starts_with("towing.") || key == "contact.friction" ||
-         key == "rods.pressure" || key == "spacecraft.station_keeping";
+  return is_of_strategy(key) || key.starts_with("closing.") || key.starts_with("towing.") ||
+         key == "contact.friction" || key == "rods.pressure" || key == "spacecraft.station_keeping";
 }
 
 bool acts_at_once(std::string_view key, std::string_view system) {

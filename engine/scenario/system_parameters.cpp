@@ -1,9 +1,12 @@
 #include "engine/scenario/system_parameters.h"
 
 #include <algorithm>
+#include <charconv>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <string>
 
 #include "engine/base/edit_distance.h"
 #include "engine/scenario/check_pocket.h"
@@ -15,11 +18,42 @@ namespace {
 
 constexpr std::string_view kGroupsOfAll[] = {"", "solver", "output"};
 
-// The parameters and groups of one kind.
+// The parameters of all items that a list can have.
+class ItemTable {
+ public:
+  explicit ItemTable(const ParameterList& list) : items_(kMostItems) {
+    for (std::size_t item = 0; item < kMostItems; ++item) {
+      for (Parameter row : list.rows) {
+        row.key =
+            keys_.emplace_back(std::string(list.name) + "." + std::to_string(item) + "." + std::string(row.name()));
+        row.item = item;
+        items_[item].push_back(row);
+      }
+    }
+  }
+  std::span<const Parameter> item(std::size_t index) const { return items_.at(index); }
+
+ private:
+  std::deque<std::string> keys_;  // keeps the places of its entries
+  std::vector<std::vector<Parameter>> items_;
+};
+
+const ItemTable& item_table(const ParameterList& list) {
+  static const std::vector<std::unique_ptr<ItemTable>> kTables = [] {
+    std::vector<std::unique_ptr<ItemTable>> tables;
+    for (const ParameterList& each : shared_lists()) tables.push_back(std::make_unique<ItemTable>(each));
+    return tables;
+  }();
+  const auto found = std::ranges::find(shared_lists(), list.name, &ParameterList::name);
+  return *kTables.at(static_cast<std::size_t>(found - shared_lists().begin()));
+}
+
+// The parameters, groups and lists of one kind.
 struct Table {
   const SystemParameters* kind;
   std::vector<Parameter> parameters;
   std::vector<ParameterGroup> groups;
+  std::vector<ParameterList> lists;
 };
 
 class Registry {
@@ -49,7 +83,7 @@ class Registry {
 
  private:
   static Table table_of(const SystemParameters& kind) {
-    Table table{&kind, {}, {}};
+    Table table{&kind, {}, {}, {}};
     for (const ParameterGroup& group : shared_groups()) {
       const bool is_used =
           std::ranges::count(kGroupsOfAll, group.name) + std::ranges::count(kind.shared_groups, group.name) > 0;
@@ -61,6 +95,9 @@ class Registry {
     }
     if (table.groups.size() != std::size(kGroupsOfAll) + kind.shared_groups.size()) {
       throw std::invalid_argument("a table of the capture system " + std::string(kind.name) + " does not exist");
+    }
+    for (const ParameterList& list : shared_lists()) {
+      if (std::ranges::count(kind.shared_lists, list.name) > 0) table.lists.push_back(list);
     }
     table.groups.insert(table.groups.end(), kind.groups.begin(), kind.groups.end());
     table.parameters.insert(table.parameters.end(), kind.parameters.begin(), kind.parameters.end());
@@ -103,6 +140,17 @@ std::optional<std::string_view> nearest(const Candidates& candidates, NameOf nam
   return best.empty() ? std::nullopt : std::optional(best);
 }
 
+// The item that a key such as "controller.0.rate" belongs to.
+std::optional<std::size_t> item_of(std::string_view key, const ParameterList& list) {
+  if (!key.starts_with(list.name) || key.size() <= list.name.size() || key[list.name.size()] != '.')
+    return std::nullopt;
+  const char* begin = key.data() + list.name.size() + 1;
+  std::size_t item = 0;
+  const auto [end, error] = std::from_chars(begin, key.data() + key.size(), item);
+  const bool is_item = error == std::errc() && end != key.data() + key.size() && *end == '.' && item < kMostItems;
+  return is_item ? std::optional(item) : std::nullopt;
+}
+
 std::string_view last_part(std::string_view key) { return key.substr(key.rfind('.') + 1); }
 
 }  // namespace
@@ -126,7 +174,9 @@ const SystemParameters& pocket_parameters() {
       .name = kPocketSystem,
       .title = "Netted pocket",
       .help = "Inflatable rods hold a net open; ropes between their tips close its mouth round the target.",
-      .shared_groups = {"pocket", "net", "rope", "rods", "spacecraft", "target", "contact", "closing", "towing"},
+      .shared_groups = {"pocket", "net", "rope", "rods", "spacecraft", "target", "contact", "closing", "towing",
+                        "winch", "actuators"},
+      .shared_lists = {"controller", "sensor", "actuators.thruster", "actuators.wheel"},
       .check = check_pocket,
       .acts_at_once = acts_at_once_in_pocket};
   return kPocket;
@@ -152,6 +202,23 @@ std::span<const Parameter> parameters_of(const ParameterGroup& group, std::strin
   return {first, std::find_if_not(first, all.end(), belongs)};
 }
 
+std::span<const ParameterList> parameter_lists(std::string_view system) { return registry().table(system).lists; }
+
+std::span<const Parameter> parameters_of(const ParameterList& list, std::size_t item) {
+  return item_table(list).item(item);
+}
+
+std::vector<const Parameter*> parameters_of(const Scenario& scenario) {
+  std::vector<const Parameter*> all;
+  for (const Parameter& parameter : parameters(scenario.system)) all.push_back(&parameter);
+  for (const ParameterList& list : parameter_lists(scenario.system)) {
+    for (std::size_t item = 0; item < list.size(scenario); ++item) {
+      for (const Parameter& parameter : parameters_of(list, item)) all.push_back(&parameter);
+    }
+  }
+  return all;
+}
+
 bool is_retired_parameter(std::string_view key) {
   // Until version 0.1 cords had contact at a few sample points only; now their whole length has.
   return key == "contact.samples_per_element";
@@ -161,6 +228,24 @@ const Parameter* find_parameter(std::string_view key, std::string_view system) {
   const std::vector<Parameter>& all = registry().table(system).parameters;
   const auto found = std::ranges::find(all, key, &Parameter::key);
   return found == all.end() ? nullptr : &*found;
+}
+
+const ParameterList* find_parameter_list(std::string_view name, std::string_view system) {
+  const std::vector<ParameterList>& all = registry().table(system).lists;
+  const auto found = std::ranges::find(all, name, &ParameterList::name);
+  return found == all.end() ? nullptr : &*found;
+}
+
+const Parameter* find_parameter(std::string_view key, const Scenario& scenario) {
+  if (const Parameter* parameter = find_parameter(key, scenario.system)) return parameter;
+  for (const ParameterList& list : parameter_lists(scenario.system)) {
+    const auto item = item_of(key, list);
+    if (!item || *item >= list.size(scenario)) continue;
+    const auto rows = parameters_of(list, *item);
+    const auto found = std::ranges::find(rows, key, &Parameter::key);
+    if (found != rows.end()) return &*found;
+  }
+  return nullptr;
 }
 
 const ParameterGroup* find_parameter_group(std::string_view name, std::string_view system) {
@@ -176,14 +261,20 @@ std::optional<std::string_view> nearest_parameter_key(std::string_view unknown, 
     const std::size_t whole = edit_distance(unknown, key);
     return std::pair(std::min(whole, edit_distance(last_part(unknown), last_part(key)) + kWrongTable), whole);
   };
-  return nearest(
-      parameters(system), [](const Parameter& p) { return p.key; }, unknown, score);
+  const auto key_of = [](const Parameter& p) { return p.key; };
+  for (const ParameterList& list : parameter_lists(system)) {
+    if (const auto item = item_of(unknown, list)) return nearest(parameters_of(list, *item), key_of, unknown, score);
+  }
+  return nearest(parameters(system), key_of, unknown, score);
 }
 
 std::optional<std::string_view> nearest_group_name(std::string_view unknown, std::string_view system) {
   const auto score = [&](std::string_view name) { return std::pair(edit_distance(unknown, name), std::size_t{0}); };
+  std::vector<std::string_view> names;
+  for (const ParameterGroup& group : parameter_groups(system).subspan(1)) names.push_back(group.name);
+  for (const ParameterList& list : parameter_lists(system)) names.push_back(list.name);
   return nearest(
-      parameter_groups(system).subspan(1), [](const ParameterGroup& g) { return g.name; }, unknown, score);
+      names, [](std::string_view name) { return name; }, unknown, score);
 }
 
 std::optional<std::string_view> nearest_choice(const Parameter& parameter, std::string_view unknown) {

@@ -20,8 +20,9 @@ struct SystemParameters {
   std::string_view help;   // one sentence
   // Names of the tables of Scenario that it uses, beside those that every kind has: the top level, solver and output.
   std::vector<std::string_view> shared_groups;
-  std::vector<ParameterGroup> groups = {};  // its own tables; they follow the shared ones
-  std::vector<Parameter> parameters = {};   // of these tables, group by group, made by own_parameter
+  std::vector<std::string_view> shared_lists = {};  // likewise, of lists of tables
+  std::vector<ParameterGroup> groups = {};          // its own tables; they follow the shared ones
+  std::vector<Parameter> parameters = {};           // of these tables, group by group, made by own_parameter
   // Adds what is wrong beyond limits, inertia, the target's shape and output. Called when every parameter is within its
   // limits. `target`: its shape; null if the kind has no target or the shape is not valid. May be null.
   void (*check)(const Scenario& scenario, const Shape* target, Diagnostics& problems) = nullptr;

@@ -12,6 +12,12 @@ std::string comment(const Parameter& parameter) {
   return fmt::format("# {}{} ({})", unit, parameter.help, parameter.source);
 }
 
+// "rate = 100   # [Hz] help (source)"
+std::string line_of(const Parameter& parameter, const Scenario& scenario) {
+  const std::string value = toml_text(parameter, parameter.get(scenario));
+  return fmt::format("{:<32} {}\n", fmt::format("{} = {}", parameter.name(), value), comment(parameter));
+}
+
 }  // namespace
 
 std::string write_scenario_text(const Scenario& scenario) {
@@ -21,8 +27,13 @@ std::string write_scenario_text(const Scenario& scenario) {
   for (const ParameterGroup& group : parameter_groups(scenario.system)) {
     if (!group.name.empty()) text += fmt::format("\n[{}]\n", group.name);
     for (const Parameter& parameter : parameters_of(group, scenario.system)) {
-      const std::string value = toml_text(parameter, parameter.get(scenario));
-      text += fmt::format("{:<32} {}\n", fmt::format("{} = {}", parameter.name(), value), comment(parameter));
+      text += line_of(parameter, scenario);
+    }
+  }
+  for (const ParameterList& list : parameter_lists(scenario.system)) {
+    for (std::size_t item = 0; item < list.size(scenario); ++item) {
+      text += fmt::format("\n[[{}]]\n", list.name);
+      for (const Parameter& parameter : parameters_of(list, item)) text += line_of(parameter, scenario);
     }
   }
   return text;

@@ -61,6 +61,11 @@ std::string masses(const Model& model, const std::vector<Cables>& groups) {
 
 std::string closing(const Scenario& scenario) {
   const ClosingSchedule schedule(scenario.closing, open_tip_distance(scenario));
+  if (scenario.closing.starts_at != ClosingStart::time) {
+    return fmt::format("{:.4g} m to {:.4g} m between rod tips within {:g} s from the event {} ({})",
+                       schedule.open_length(), schedule.closed_length(), schedule.end() - schedule.start(),
+                       choice_text(scenario, "closing.starts_at"), choice_text(scenario, "closing.law"));
+  }
   return fmt::format("{:.4g} m to {:.4g} m between rod tips, from t = {:g} s to {:g} s ({})", schedule.open_length(),
                      schedule.closed_length(), schedule.start(), schedule.end(), choice_text(scenario, "closing.law"));
 }
@@ -68,6 +73,7 @@ std::string closing(const Scenario& scenario) {
 std::string towing(const Scenario& scenario) {
   const std::string mode = choice_text(scenario, "towing.mode");
   if (scenario.towing.mode == TowingMode::none) return mode;
+  if (scenario.towing.starts_at == TowingStart::closed) return fmt::format("when closed ({})", mode);
   return fmt::format("from t = {:g} s ({})", scenario.towing.start, mode);
 }
 

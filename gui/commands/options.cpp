@@ -178,7 +178,9 @@ Scenario load_scenario(const ScenarioChoice& choice) {
   ScenarioResult result = read_scenario_file(choice.path);
   require_ok(result.diagnostics, choice.path);
   for (const std::string& setting : choice.settings) require_ok(apply_setting(result.scenario, setting), "--set");
-  require_ok(check_scenario(result.scenario), choice.path);
+  // A setting may be the cause, so lines of the file are named only without settings.
+  const Diagnostics problems = check_scenario(result.scenario);
+  require_ok(choice.settings.empty() ? result.with_lines(problems, choice.path) : problems, choice.path);
   return std::move(result.scenario);
 }
 

@@ -5,8 +5,14 @@ namespace netpocket {
 QStringList differing_keys(const Scenario& a, const Scenario& b) {
   if (a.system != b.system) return {"system"};  // its tables are others, so nothing else can be compared
   QStringList keys;
-  for (const Parameter& parameter : parameters(a.system)) {
-    if (parameter.get(a) != parameter.get(b)) keys << QString::fromUtf8(parameter.key.data(), parameter.key.size());
+  const auto add = [&](std::string_view key) {
+    keys << QString::fromUtf8(key.data(), static_cast<qsizetype>(key.size()));
+  };
+  for (const ParameterList& list : parameter_lists(a.system)) {
+    if (list.size(a) != list.size(b)) add(list.name);
+  }
+  for (const Parameter* parameter : parameters_of(a)) {
+    if (find_parameter(parameter->key, b) && parameter->get(a) != parameter->get(b)) add(parameter->key);
   }
   return keys;
 }

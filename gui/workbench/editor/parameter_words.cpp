@@ -87,6 +87,7 @@ QString unit_of(const Parameter& parameter, const Scenario& scenario) {
     case TowingMode::velocity:
       return "m/s";
     case TowingMode::none:
+    case TowingMode::controlled:
       break;
   }
   return {};

@@ -112,7 +112,7 @@ void ScenarioEditor::follow_edit(const QStringList& keys) {
   if (!running_) return;
   QStringList strategy;
   for (const QString& key : keys) {
-    const Parameter* parameter = find_parameter(key.toStdString(), document_->scenario().system);
+    const Parameter* parameter = find_parameter(key.toStdString(), document_->scenario());
     if (parameter != nullptr && edit_effect(*parameter, document_->scenario().system) == EditEffect::at_once) {
       strategy << key;
     }

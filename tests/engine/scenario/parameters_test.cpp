@@ -65,7 +65,8 @@ TEST(ParameterTable, DeclaresEveryMember) {
   // Does not compile when a member is added; then declare it in the table and count it here.
   const Scenario s;
   [[maybe_unused]] const auto& [n, d, system, pocket, net, rope, rods, spacecraft, target, contact, closing, towing,
-                                solver, output, own, files] = s;
+                                winch, actuators, solver, output, controllers, sensors, thrusters, wheels, own, files] =
+      s;
   const auto count = [](std::string_view group) { return parameters_of(*find_parameter_group(group)).size(); };
   EXPECT_EQ(count(""), 3u);
   {
@@ -86,20 +87,28 @@ TEST(ParameterTable, DeclaresEveryMember) {
     EXPECT_EQ(count("spacecraft"), 5u);
   }
   {
-    [[maybe_unused]] const auto& [a, b, c, e, f, g, h, i, j, k, l, m, o, p, q, r, t, u] = target;
-    EXPECT_EQ(count("target"), 18u);
+    [[maybe_unused]] const auto& [a, b, c, e, f, g, h, i, j, k, l, m, o, p, q, r, t, u, v, w, x, y] = target;
+    EXPECT_EQ(count("target"), 22u);
   }
   {
     [[maybe_unused]] const auto& [a, b, c, e, f, g] = contact;
     EXPECT_EQ(count("contact"), 6u);
   }
   {
-    [[maybe_unused]] const auto& [a, b, c, e, f, g] = closing;
-    EXPECT_EQ(count("closing"), 6u);
+    [[maybe_unused]] const auto& [a, b, c, e, f, g, h, i] = closing;
+    EXPECT_EQ(count("closing"), 8u);
   }
   {
-    [[maybe_unused]] const auto& [a, b, c, e, f, g] = towing;
-    EXPECT_EQ(count("towing"), 6u);
+    [[maybe_unused]] const auto& [a, b, c, e, f, g, h, i] = towing;
+    EXPECT_EQ(count("towing"), 8u);
+  }
+  {
+    [[maybe_unused]] const auto& [a, b, c, e, f, g, h, i, j, k, l, m, o, p, q, r, t] = winch;
+    EXPECT_EQ(count("winch"), 17u);
+  }
+  {
+    [[maybe_unused]] const auto& [a, b, c, e, f, g] = actuators;
+    EXPECT_EQ(count("actuators"), 6u);
   }
   {
     [[maybe_unused]] const auto& [a, b, c, e, f, g, h] = solver;
