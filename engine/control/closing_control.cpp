@@ -15,14 +15,29 @@ RopeMotion motion_of(const ClosingState& state) { return {state.length, state.sp
 
 }  // namespace
 
-ClosingControl::ClosingControl(const ClosingParameters& closing, const std::vector<double>& open_lengths)
-    : closing_(closing) {
-  for (const double open : open_lengths) {
+ClosingControl::ClosingControl(const ClosingParameters& closing, const std::vector<double>& open_lengths,
+                               std::shared_ptr<const CaptureTimes> times)
+    : closing_(closing), open_lengths_(open_lengths), times_(std::move(times)) {
+  if (times_) closing_.start = times_->closing_start;
+  make_schedules();
+  motions_.resize(schedules_.size());
+}
+
+void ClosingControl::make_schedules() {
+  schedules_.clear();
+  schedule_of_rope_.clear();
+  for (const double open : open_lengths_) {
     const auto known = std::ranges::find(schedules_, open, &ClosingSchedule::open_length);
     schedule_of_rope_.push_back(static_cast<std::size_t>(known - schedules_.begin()));
-    if (known == schedules_.end()) schedules_.emplace_back(closing, open);
+    if (known == schedules_.end()) schedules_.emplace_back(closing_, open);
   }
-  motions_.resize(schedules_.size());
+}
+
+void ClosingControl::follow_start() {
+  if (!times_ || times_->closing_start == closing_.start) return;
+  closing_.start = times_->closing_start;
+  make_schedules();
+  if (changed_ >= 0) follow_changed_law();
 }
 
 RopeMotion ClosingControl::motion(std::size_t rope, double time) const {
@@ -30,6 +45,7 @@ RopeMotion ClosingControl::motion(std::size_t rope, double time) const {
 }
 
 void ClosingControl::update(const Measurements& measurements, double interval, Commands& commands) {
+  follow_start();
   const double end = measurements.time() + interval;
   for (std::size_t i = 0; i < schedules_.size(); ++i) {
     motions_[i] = motion_of(transition_ ? transition_->at(end) : schedules_[i].at(end));
@@ -41,9 +57,11 @@ void ClosingControl::update(const Measurements& measurements, double interval, C
 }
 
 void ClosingControl::change(const Scenario& scenario, double now) {
-  if (scenario.closing == closing_) return;
+  ClosingParameters next = scenario.closing;
+  if (times_) next.start = times_->closing_start;
+  if (next == closing_) return;
   const RopeMotion present = motion(0, now);
-  closing_ = scenario.closing;
+  closing_ = next;
   at_change_ = {present.length, present.rate, present.acceleration};
   changed_ = now;
   follow_changed_law();
@@ -72,6 +90,8 @@ void ClosingControl::visit_state(const std::function<void(double&)>& visit) {
   for (double* value : {&changed_, &at_change_.length, &at_change_.speed, &at_change_.acceleration, &fastest_}) {
     visit(*value);
   }
+  if (times_) closing_.start = times_->closing_start;
+  make_schedules();
   if (changed_ >= 0) {
     follow_changed_law();
   } else {

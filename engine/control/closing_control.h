@@ -2,9 +2,11 @@
 // Winds the closing ropes by the closing law of the scenario. A change of the law during a run leads from the present
 // motion to the new law without a jump (closing_transition.h).
 
+#include <memory>
 #include <optional>
 #include <vector>
 
+#include "engine/control/capture_times.h"
 #include "engine/control/closing_law.h"
 #include "engine/control/closing_transition.h"
 #include "engine/control/controller.h"
@@ -13,11 +15,16 @@ namespace netpocket {
 
 class ClosingControl : public Controller {
  public:
-  // Winds the first ropes of the model. `open_lengths`: m, by rope.
-  ClosingControl(const ClosingParameters& closing, const std::vector<double>& open_lengths);
+  // Winds the first ropes of the model. `open_lengths`: m, by rope. `times`: their start of the closing, which may be
+  // infinite at first, takes the place of the scenario's; null: the scenario's time.
+  ClosingControl(const ClosingParameters& closing, const std::vector<double>& open_lengths,
+                 std::shared_ptr<const CaptureTimes> times = nullptr);
 
   // Motion of a rope at a time (s) by the present law.
   RopeMotion motion(std::size_t rope, double time) const;
+
+  // Adopts the start of the closing from `times`.
+  void follow_start();
 
   void update(const Measurements& measurements, double interval, Commands& commands) override;
   void change(const Scenario& scenario, double now) override;
@@ -27,8 +34,11 @@ class ClosingControl : public Controller {
 
  private:
   void follow_changed_law();
+  void make_schedules();
 
   ClosingParameters closing_;
+  std::vector<double> open_lengths_;
+  std::shared_ptr<const CaptureTimes> times_;
   std::vector<ClosingSchedule> schedules_;     // one for each distinct open length
   std::vector<std::size_t> schedule_of_rope_;  // index into schedules_
   std::vector<RopeMotion> motions_;            // workspace, by schedule

@@ -29,6 +29,11 @@ class Measurements {
   // What the controls of a body exerted in the last step, about that centre.
   const Wrench& exerted(std::int32_t body) const { return system_->exerted(body); }
   const RopeMotion& rope(std::int32_t rope) const { return system_->rope_motion(rope); }
+  Eigen::Vector3d node(std::int32_t node) const { return system_->position(node); }  // m
+  // Impulse (N s) that cables have given to a body since the start.
+  const Eigen::Vector3d& contact_impulse(std::int32_t body) const { return system_->contact_impulse(body); }
+  // Mean tension (N) of a rope.
+  double rope_tension(std::int32_t rope) const { return system_->rope_tension(rope); }
 
  private:
   const CableSystem* system_;

@@ -49,10 +49,35 @@ double SpacecraftDrive::Guide::at(int axis, double time, double wanted, double p
 }
 
 SpacecraftDrive::SpacecraftDrive(const TowingParameters& towing, StationKeeping station_keeping, double total_mass,
-                                 std::int32_t spacecraft)
-    : towing_(towing), station_keeping_(station_keeping), total_mass_(total_mass), spacecraft_(spacecraft) {}
+                                 std::int32_t spacecraft, std::shared_ptr<const CaptureTimes> times)
+    : given_(towing),
+      towing_(towing),
+      station_keeping_(station_keeping),
+      total_mass_(total_mass),
+      spacecraft_(spacecraft),
+      times_(std::move(times)) {
+  towing_ = with_times(towing_, 0);
+}
+
+// The towing as the events of the capture have it at the time `now` (s).
+TowingParameters SpacecraftDrive::with_times(TowingParameters towing, double now) const {
+  if (!times_) return towing;
+  towing.start = times_->towing_start;
+  if (now >= times_->towing_end) towing.mode = TowingMode::none;
+  return towing;
+}
+
+void SpacecraftDrive::follow_times(double now) {
+  if (!times_) return;
+  // A start that lies ahead changes nothing that acts. An end does.
+  if (now >= times_->towing_end && towing_.mode != TowingMode::none) {
+    change(with_times(given_, now), station_keeping_, now);
+  }
+  towing_.start = times_->towing_start;
+}
 
 void SpacecraftDrive::update(const Measurements& measurements, double /*interval*/, Commands& commands) {
+  follow_times(measurements.time());
   commands.body(spacecraft_) = at(measurements.time(), measurements.motion(spacecraft_));
 }
 
@@ -61,7 +86,8 @@ void SpacecraftDrive::after_step(const Measurements& measurements, double dt) {
 }
 
 void SpacecraftDrive::change(const Scenario& scenario, double now) {
-  change(scenario.towing, scenario.spacecraft.station_keeping, now);
+  given_ = scenario.towing;
+  change(with_times(given_, now), scenario.spacecraft.station_keeping, now);
 }
 
 // Present force and torque. Where the motion is prescribed: the mean.
@@ -156,6 +182,8 @@ void SpacecraftDrive::visit_state(const std::function<void(double&)>& visit) {
   }
   visit_vector(visit, mean_acceleration_);
   visit_vector(visit, mean_angular_acceleration_);
+  // An end of the towing is a change, so the last change tells whether it has been adopted.
+  if (times_) towing_ = with_times(given_, changed_);
 }
 
 }  // namespace netpocket

@@ -2,8 +2,10 @@
 // Controls the spacecraft: towing and station keeping as the scenario describes them.
 
 #include <functional>
+#include <memory>
 #include <optional>
 
+#include "engine/control/capture_times.h"
 #include "engine/control/controller.h"
 #include "engine/control/gradual_change.h"
 #include "engine/dynamics/assembly/dynamic_body.h"
@@ -18,6 +20,7 @@ namespace netpocket {
 //                 `duration`
 //   velocity      the spacecraft's velocity along Y goes from its value at `start` to -`size` (m/s) over `duration` by
 //                 a cycloid and stays there; the thrust is what this requires
+//   controlled    none: a controller pulls (closed_loop.h)
 // The thrust acts at `offset` (m) from the axis, at `offset_angle` (rad) from the spacecraft's x axis towards its z
 // axis. Station keeping holds the attitude, or the attitude and the lateral position, at all times. A held attitude
 // takes up the moment of the offset thrust.
@@ -27,9 +30,10 @@ namespace netpocket {
 // A motion that is no longer prescribed, and every other force, changes from the present force and moment within 0.5 s.
 class SpacecraftDrive : public Controller {
  public:
-  // `total_mass`: kg. `spacecraft`: index of the body.
+  // `total_mass`: kg. `spacecraft`: index of the body. `times`: their start of the towing, which may be infinite at
+  // first, takes the place of the scenario's, and at their end the towing ceases; null: the scenario's time.
   SpacecraftDrive(const TowingParameters& towing, StationKeeping station_keeping, double total_mass,
-                  std::int32_t spacecraft = 0);
+                  std::int32_t spacecraft = 0, std::shared_ptr<const CaptureTimes> times = nullptr);
 
   void update(const Measurements& measurements, double interval, Commands& commands) override;
   void after_step(const Measurements& measurements, double dt) override;
@@ -58,16 +62,22 @@ class SpacecraftDrive : public Controller {
     double at(int axis, double time, double wanted, double progress) const;
   };
 
-  bool pulls(double time) const { return towing_.mode != TowingMode::none && time >= towing_.start; }
+  bool pulls(double time) const {
+    return towing_.mode != TowingMode::none && towing_.mode != TowingMode::controlled && time >= towing_.start;
+  }
+  TowingParameters with_times(TowingParameters towing, double now) const;
+  void follow_times(double now);
   double thrust(double elapsed) const;
   Wrench acting() const;
   void hold(double time, const RigidMotion& craft, BodyControl& control);
   void tow(double time, const RigidMotion& craft, BodyControl& control);
 
-  TowingParameters towing_;
+  TowingParameters given_;   // by the scenario
+  TowingParameters towing_;  // with the times of the events
   StationKeeping station_keeping_;
   double total_mass_;
   std::int32_t spacecraft_;
+  std::shared_ptr<const CaptureTimes> times_;
   double changed_ = -kChangeDuration;  // s, time of the last change
   Wrench released_;                    // acted at changed_; fades to zero while the new control grows
   Guide tow_, lateral_, attitude_;

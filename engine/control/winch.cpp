@@ -62,8 +62,8 @@ double Winch::stopped_rate(double rate, double dt) const {
   return std::max(rate, (settings_.least_length - motion_.length) / dt);
 }
 
-const RopeMotion& Winch::step(double tension, double dt) {
-  force_ = jammed_ ? 0 : motor_force(tension, dt);
+const RopeMotion& Winch::step(double tension, double measured, double dt) {
+  force_ = jammed_ ? 0 : motor_force(measured, dt);
   const double before = motion_.rate;
   const double driven = before + dt * (tension - force_) / mass_;
   const double after = stopped_rate(driven, dt);
@@ -73,7 +73,7 @@ const RopeMotion& Winch::step(double tension, double dt) {
   rope_work_ += tension * mean * dt;
   losses_ += mass_ * (driven - after) * mean;
   motion_ = {std::max(motion_.length + dt * after, settings_.least_length), after, (after - before) / dt};
-  last_tension_ = tension;
+  last_tension_ = measured;
   started_ = true;
   return motion_;
 }

@@ -60,8 +60,10 @@ class Winch {
   // A fault: the drum stops at once and stays until the jam ends.
   void jam(bool jammed) { jammed_ = jammed; }
 
-  // Steps over `dt` (s) with the rope's tension (N). Returns the motion at the end.
-  const RopeMotion& step(double tension, double dt);
+  // Steps over `dt` (s) with the rope's tension (N). Returns the motion at the end. `measured`: the tension (N) that
+  // the motor's loop knows.
+  const RopeMotion& step(double tension, double dt) { return step(tension, tension, dt); }
+  const RopeMotion& step(double tension, double measured, double dt);
 
   const RopeMotion& motion() const { return motion_; }
   double torque() const { return force_ * settings_.drum_radius; }  // N m, of the motor in the last step
@@ -85,7 +87,7 @@ class Winch {
   RopeMotion motion_;
   Pid rate_loop_;
   bool started_ = false;
-  double last_tension_ = 0;  // N
+  double last_tension_ = 0;  // N, measured
   double force_ = 0;         // N, motor's torque / r
   double power_ = 0;
   double motor_work_ = 0, rope_work_ = 0, losses_ = 0;

@@ -15,6 +15,7 @@
 #include "engine/recording/origin_io.h"
 #include "engine/recording/outcome_io.h"
 #include "engine/recording/structure_io.h"
+#include "engine/state/phase.h"
 
 namespace netpocket {
 
@@ -160,6 +161,9 @@ void Recording::Impl::open() {
   structure = read_structure(file, version);
   read_channels();
   structure.channels = channel_list;
+  // Phases that begin with events were not known when the run began.
+  if (const auto phase = channel_list->find(kPhaseChannel))
+    origin.phases = phases_of_channel(times(), channels[*phase]);
   tables.emplace(file, structure);
   tables->check_rows(times().size());
   checkpoints.emplace(file);

@@ -28,6 +28,18 @@ std::string phase_at(const std::vector<Phase>& phases, double time) {
   return last != nullptr ? last->name : "";
 }
 
+std::vector<Phase> phases_of_channel(const std::vector<double>& times, const std::vector<double>& values) {
+  std::vector<Phase> phases;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (i > 0 && values[i] == values[i - 1]) continue;
+    if (i > 0 && !phases.empty()) phases.back().end = std::min(phases.back().end, times[i]);
+    if (!(values[i] >= 0 && values[i] < static_cast<double>(kPocketPhases.size()))) continue;
+    const std::string name = kPocketPhases[static_cast<std::size_t>(values[i])];
+    phases.push_back({name, times[i], std::numeric_limits<double>::infinity(), name != kClosing && name != kTowing});
+  }
+  return phases;
+}
+
 std::vector<Phase> pocket_phases(double closing_start, double closing_end, double towing_start) {
   constexpr double kNever = std::numeric_limits<double>::infinity();
   const bool tows = std::isfinite(towing_start);

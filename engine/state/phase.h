@@ -2,6 +2,7 @@
 // The phases of a capture, such as the closing of a net. Figures shade them, pictures name the present one, and the
 // timeline marks where they begin and end.
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,6 +27,14 @@ std::string phase_at(const std::vector<Phase>& phases, double time);
 
 inline constexpr const char* kClosing = "closing";
 inline constexpr const char* kTowing = "towing";
+
+// Channel of the phase in runs whose phases begin with events: an index into kPocketPhases.
+inline constexpr const char* kPhaseChannel = "capture_phase";
+inline constexpr std::array<const char*, 5> kPocketPhases = {"open", kClosing, "closed", kTowing, "after towing"};
+
+// The phases that such a channel tells. `times` (s) and `values` have equal lengths. Values that are no index count as
+// none.
+std::vector<Phase> phases_of_channel(const std::vector<double>& times, const std::vector<double>& values);
 
 // The phases of a pocket: open, closing, closed, towing. Times in s; `closing_end` NaN: unknown; `towing_start` NaN: it
 // does not tow. Recordings of version 0.1 hold only these times.

@@ -268,6 +268,8 @@ RigidMotion CableSystem::motion(std::int32_t body) const { return impl_->state.b
 const Wrench& CableSystem::exerted(std::int32_t body) const { return impl_->state.bodies[body].exerted(); }
 const RopeMotion& CableSystem::rope_motion(std::int32_t rope) const { return impl_->elements.ropes().motion(rope); }
 
+double CableSystem::rope_tension(std::int32_t rope) const { return impl_->element_states.rope_tension(rope); }
+
 void CableSystem::displace(std::span<const Eigen::Vector3d> displacements) {
   Impl& s = *impl_;
   for (std::size_t i = 0; i < displacements.size(); ++i) {

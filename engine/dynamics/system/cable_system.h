@@ -118,6 +118,8 @@ class CableSystem {
   RigidMotion motion(std::int32_t body) const;
   const Wrench& exerted(std::int32_t body) const;
   const RopeMotion& rope_motion(std::int32_t rope) const;  // at the present time
+  // Mean tension (N) of a rope's elements at present, for the velocities of the last half step.
+  double rope_tension(std::int32_t rope) const;
 
   // Displaces the free nodes (m, by node). To be called before the first step: energies count from the displaced state.
   void displace(std::span<const Eigen::Vector3d> displacements);

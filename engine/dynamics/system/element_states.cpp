@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "engine/ancf/mean_strain_element.h"
 #include "engine/ancf/strain_pair.h"
 
 namespace netpocket {
@@ -83,6 +84,22 @@ double ElementStates::strain_energy() const {
   const auto parts = values_of_ranges<double>(threads_.loop(), static_cast<int>(model_.elements.size()), kElementRange,
                                               [&](int first, int last) { return energy_of(first, last); });
   return std::accumulate(parts.begin(), parts.end(), 0.0);
+}
+
+double ElementStates::rope_tension(std::int32_t rope) const {
+  const VariableRope& cord = model_.ropes[static_cast<std::size_t>(rope)];
+  const std::size_t count = cord.elements.size();
+  double sum = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto element = static_cast<std::size_t>(cord.elements[i]);
+    const CableSection& section = elements_.section(element);
+    const MaterialSpan span = rope_span(elements_.ropes().motion(rope), cord.share_at_start, i, count);
+    const ElementCoordinates q = elements_.gather(state_.coordinates, element),
+                             v = elements_.gather(state_.velocities, element);
+    sum += elements_.is_full() ? FullElement(section, span).stretching(q, v).tension
+                               : MeanStrainElement(section, span).tension(q, v);
+  }
+  return sum / static_cast<double>(count);
 }
 
 double ElementStates::stable_step(const StableStep& straight) {

@@ -24,6 +24,9 @@ class ElementStates {
   double strain(std::size_t element) const;
   double strain_energy() const;  // J, of all elements
 
+  // Mean tension (N) of a rope's elements, at the rope's present motion. Needs no refresh.
+  double rope_tension(std::int32_t rope) const;
+
   // As CableSystem::stable_step_as_bent. Brings the values to the present state.
   double stable_step(const StableStep& straight);
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "engine/math/elementary.h"
 #include "engine/state/pocket_groups.h"
 
 namespace netpocket {
@@ -32,25 +31,10 @@ Mouth measure_mouth(const Snapshot& snapshot, const std::vector<std::int32_t>& t
   return mouth;
 }
 
-// Radius of a polyline of points (radius, height) at a height; negative outside its heights.
-double radius_at(const std::vector<Eigen::Vector2d>& outline, double height) {
-  for (std::size_t i = 0; i + 1 < outline.size(); ++i) {
-    const double below = outline[i].y(), above = outline[i + 1].y();
-    if (height < below || height > above || above == below) continue;
-    const double part = (height - below) / (above - below);
-    return (1 - part) * outline[i].x() + part * outline[i + 1].x();
-  }
-  return -1;
-}
-
 }  // namespace
 
 PocketChannels::PocketChannels(const Pocket& pocket)
-    : spacecraft_(pocket.spacecraft),
-      target_(pocket.target),
-      roots_(pocket.structure.nodes(kRodRoots)),
-      kinks_(pocket.structure.nodes(kRodKinks)),
-      tips_(pocket.structure.nodes(kRodTips)) {
+    : spacecraft_(pocket.spacecraft), target_(pocket.target), interior_(pocket) {
   for (std::size_t i = 0; i < pocket.structure.elements.size(); ++i) {
     const std::int32_t group = pocket.structure.elements[i].group;
     if (group == index_of(PocketGroup::net)) net_.push_back(static_cast<std::int32_t>(i));
@@ -58,25 +42,10 @@ PocketChannels::PocketChannels(const Pocket& pocket)
   }
 }
 
-// Whether the target's centre lies between root and mouth, and nearer to the pocket's axis than the rods at its height.
-// Heights and radii are in the spacecraft's axes. Rods are polylines through their mean root, kink and tip.
 bool PocketChannels::target_is_inside(const Snapshot& snapshot) const {
-  const BodyState& craft = snapshot.bodies[static_cast<std::size_t>(spacecraft_)];
-  const auto to_craft = [&](const Eigen::Vector3d& point) -> Eigen::Vector3d {
-    return craft.attitude.conjugate() * (point - craft.position);
-  };
-  const auto mean = [&](const std::vector<std::int32_t>& nodes) -> Eigen::Vector2d {
-    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-    for (const std::int32_t node : nodes) {
-      const Eigen::Vector3d p = to_craft(snapshot.positions.col(node));
-      sum += Eigen::Vector2d(hypotenuse(p.x(), p.z()), p.y());
-    }
-    return sum / static_cast<double>(nodes.size());
-  };
-  if (tips_.empty()) return false;
-  const Eigen::Vector3d centre = to_craft(snapshot.bodies[static_cast<std::size_t>(target_)].position);
-  const double radius = radius_at({mean(roots_), mean(kinks_), mean(tips_)}, centre.y());
-  return hypotenuse(centre.x(), centre.z()) < radius;
+  return interior_.contains_target(snapshot.bodies[static_cast<std::size_t>(spacecraft_)],
+                                   snapshot.bodies[static_cast<std::size_t>(target_)],
+                                   [&](std::int32_t node) -> Eigen::Vector3d { return snapshot.positions.col(node); });
 }
 
 void PocketChannels::fill_tensions(Snapshot& snapshot) const {
@@ -89,7 +58,7 @@ void PocketChannels::fill_tensions(Snapshot& snapshot) const {
 }
 
 void PocketChannels::fill(const CableSystem& system, Snapshot& snapshot) const {
-  const Mouth mouth = measure_mouth(snapshot, tips_);
+  const Mouth mouth = measure_mouth(snapshot, interior_.tips());
   snapshot.channel(Channel::closing_length) = mouth.side;
   snapshot.channel(Channel::closing_speed) = mouth.side_rate;
   snapshot.channel(Channel::mouth_radius) = mouth.radius;

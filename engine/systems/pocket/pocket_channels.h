@@ -5,6 +5,7 @@
 
 #include "engine/dynamics/system/cable_system.h"
 #include "engine/systems/pocket/pocket.h"
+#include "engine/systems/pocket/pocket_interior.h"
 
 namespace netpocket {
 
@@ -20,8 +21,8 @@ class PocketChannels {
   void fill_tensions(Snapshot& snapshot) const;
 
   std::int32_t spacecraft_, target_;
-  std::vector<std::int32_t> roots_, kinks_, tips_;  // nodes, by rod
-  std::vector<std::int32_t> net_, closing_ropes_;   // elements
+  PocketInterior interior_;
+  std::vector<std::int32_t> net_, closing_ropes_;  // elements
 };
 
 }  // namespace netpocket

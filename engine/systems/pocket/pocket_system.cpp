@@ -3,12 +3,17 @@
 #include <limits>
 #include <utility>
 
+#include "engine/control/closed_loop.h"
 #include "engine/control/closing_control.h"
+#include "engine/control/target_drive.h"
 #include "engine/control/towing.h"
+#include "engine/control/winch_control.h"
 #include "engine/scenario/pocket_outline.h"
+#include "engine/systems/pocket/control_channels.h"
 #include "engine/systems/pocket/material_changes.h"
 #include "engine/systems/pocket/pocket.h"
 #include "engine/systems/pocket/pocket_channels.h"
+#include "engine/systems/pocket/pocket_events.h"
 
 namespace netpocket {
 namespace {
@@ -19,32 +24,80 @@ double total_mass(const Model& model) {
   return mass;
 }
 
+ControlledCraft controlled_craft(const Scenario& scenario, const Model& model) {
+  const double captured = total_mass(model);
+  return {scenario.spacecraft.inertia.asDiagonal(), captured - scenario.target.mass, captured,
+          scenario.spacecraft.position};
+}
+
+// Whether phases begin or end at times that only the run knows.
+bool has_events(const Scenario& scenario) {
+  return scenario.closing.starts_at != ClosingStart::time || scenario.towing.abort_force > 0;
+}
+
+// Adds controllers to a system.
+template <class Kind, class... Arguments>
+Kind* add_controller(CaptureSystem& system, Arguments&&... arguments) {
+  auto controller = std::make_unique<Kind>(std::forward<Arguments>(arguments)...);
+  Kind* added = controller.get();
+  system.controllers.push_back({std::move(controller), 0});
+  return added;
+}
+
+// The channels of a pocket, and those of its control.
+void add_channels(CaptureSystem& system, const PocketChannels& channels, const ControlChannels& control) {
+  if (control.infos().empty()) {
+    system.fill_channels = [channels](const CableSystem& cables, Snapshot& out) { channels.fill(cables, out); };
+    return;
+  }
+  std::vector<ChannelInfo> infos(known_channels()->begin(), known_channels()->end());
+  infos.insert(infos.end(), control.infos().begin(), control.infos().end());
+  system.structure.channels = std::make_shared<const ChannelList>(std::move(infos));
+  system.fill_channels = [channels, control](const CableSystem& cables, Snapshot& out) {
+    channels.fill(cables, out);
+    control.fill(out);
+  };
+}
+
 CaptureSystem build(const Scenario& scenario) {
   Pocket pocket = build_pocket(scenario);
   CaptureSystem system;
   std::vector<double> open_lengths;
   for (const VariableRope& rope : pocket.model.ropes) open_lengths.push_back(rope.motion.length);
-  const auto add = [&](std::unique_ptr<Controller> controller) {
-    system.controllers.push_back({std::move(controller), 0});
-  };
-  add(std::make_unique<MaterialChanges>(scenario, pocket.lower_rods, pocket.upper_rods));
-  add(std::make_unique<SpacecraftDrive>(scenario.towing, scenario.spacecraft.station_keeping, total_mass(pocket.model),
-                                        pocket.spacecraft));
-  add(std::make_unique<ClosingControl>(scenario.closing, open_lengths));
+  add_controller<MaterialChanges>(system, scenario, pocket.lower_rods, pocket.upper_rods);
+  const auto times = add_controller<PocketEvents>(system, scenario, pocket)->times();
+  add_controller<SpacecraftDrive>(system, scenario.towing, scenario.spacecraft.station_keeping,
+                                  total_mass(pocket.model), pocket.spacecraft, times);
+  const WinchControl* winches = nullptr;
+  if (scenario.winch.drive == WinchDrive::prescribed) {
+    add_controller<ClosingControl>(system, scenario.closing, open_lengths, times);
+  } else {
+    winches = add_controller<WinchControl>(system, scenario, open_lengths, times);
+  }
+  add_controller<TargetDrive>(system, scenario.target, pocket.target);
+  ClosedLoop* loop = nullptr;
+  if (!scenario.controllers.empty()) {
+    loop = add_controller<ClosedLoop>(system, scenario, controlled_craft(scenario, pocket.model), times,
+                                      pocket.spacecraft, pocket.target);
+  }
   const PocketChannels channels(pocket);
-  system.fill_channels = [channels](const CableSystem& cables, Snapshot& snapshot) { channels.fill(cables, snapshot); };
   system.spacecraft = pocket.spacecraft;
   system.target = pocket.target;
   system.structure = std::move(pocket.structure);
+  const auto events = has_events(scenario) ? times : nullptr;
+  add_channels(system, channels, ControlChannels(loop, winches, events, pocket.spacecraft));
   system.model = std::move(pocket.model);
   return system;
 }
 
 std::vector<Phase> phases(const Scenario& scenario) {
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  const TowingParameters& towing = scenario.towing;
   const ClosingSchedule closing(scenario.closing, open_tip_distance(scenario));
-  return pocket_phases(closing.start(), closing.end(),
-                       scenario.towing.mode == TowingMode::none ? kNone : scenario.towing.start);
+  const bool at_event = scenario.closing.starts_at != ClosingStart::time;
+  const double closing_end = at_event ? kUnknown : closing.end();
+  const double towing_start = towing.starts_at == TowingStart::closed ? closing_end : towing.start;
+  return pocket_phases(closing.start(), closing_end, towing.mode == TowingMode::none ? kUnknown : towing_start);
 }
 
 }  // namespace

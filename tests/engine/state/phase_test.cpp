@@ -23,6 +23,13 @@ TEST(Phases, OfAPocket) {
   EXPECT_TRUE(pocket_phases(0, kNone, kNone).empty());
 }
 
+TEST(Phases, OfAChannel) {
+  EXPECT_EQ(phases_of_channel({0, 1, 2, 3, 4}, {0, 0, 1, 1, 3}),
+            (std::vector<Phase>{{"open", 0, 2, true}, {"closing", 2, 4, false}, {"towing", 4, kNever, false}}));
+  EXPECT_EQ(phases_of_channel({0, 1, 2}, {4, 9, kNone}), (std::vector<Phase>{{"after towing", 0, 1, true}}));
+  EXPECT_TRUE(phases_of_channel({}, {}).empty());
+}
+
 TEST(Phases, AreFoundByNameAndTime) {
   const std::vector<Phase> phases = pocket_phases(1, 5, 8);
   EXPECT_EQ(phase_begin(phases, "towing"), 8);

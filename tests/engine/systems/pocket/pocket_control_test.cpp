@@ -1,0 +1,230 @@
+// Closed-loop control, winches and events in a capture by a pocket.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/capture/run.h"
+#include "engine/capture/simulation.h"
+#include "engine/recording/recording.h"
+#include "engine/scenario/check_scenario.h"
+#include "engine/scenario/pocket_outline.h"
+
+namespace netpocket {
+namespace {
+
+// A coarse pocket around a small target.
+Scenario coarse() {
+  Scenario scenario;
+  scenario.pocket.mesh_columns = scenario.pocket.mesh_rows = 2;
+  scenario.pocket.elements_per_side = 1;
+  scenario.target.radius = 1;
+  scenario.closing.duration = 2;
+  scenario.towing.mode = TowingMode::none;
+  scenario.output.end_time = 1;
+  return scenario;
+}
+
+void expect_valid(const Scenario& scenario) { EXPECT_EQ(check_scenario(scenario).text(), ""); }
+
+double channel(const Snapshot& snapshot, const std::string& name) {
+  const auto index = snapshot.channel_list->find(name);
+  return index ? snapshot.channels[*index] : std::nan("");
+}
+
+Snapshot after(Simulation& simulation, double time) {
+  EXPECT_EQ(simulation.advance(time).reason, RunReason::finished);
+  return simulation.snapshot();
+}
+
+TEST(PocketControl, ChannelsComeWithTheirParts) {
+  Scenario scenario = coarse();
+  EXPECT_EQ(Simulation(scenario).structure().channels->size(), kKnownChannelCount);
+  scenario.controllers = {{}};
+  const auto with_loop = Simulation(scenario).structure().channels;
+  EXPECT_TRUE(with_loop->find("attitude_angle"));
+  EXPECT_TRUE(with_loop->find("exerted_torque_z"));
+  EXPECT_FALSE(with_loop->find("disturbance_torque_x"));
+  EXPECT_FALSE(with_loop->find("wheel_momentum_1"));
+  EXPECT_FALSE(with_loop->find("winch_length_1"));
+  scenario.winch.drive = WinchDrive::length;
+  scenario.wheels = {{}};
+  scenario.controllers[0] = {.kind = ControllerKind::attitude_sliding_mode, .observer = 1};
+  const auto with_all = Simulation(scenario).structure().channels;
+  EXPECT_TRUE(with_all->find("disturbance_torque_x"));
+  EXPECT_TRUE(with_all->find("wheel_momentum_1"));
+  EXPECT_TRUE(with_all->find("winch_length_8"));
+  EXPECT_FALSE(with_all->find("winch_length_9"));
+}
+
+// The target drifts in and the closing starts when its centre passes the mouth: at 12 m from the root, or a little
+// later, as the spacecraft is not held.
+TEST(PocketControl, ClosingStartsWhenTheTargetIsInside) {
+  Scenario scenario = coarse();
+  scenario.closing.starts_at = ClosingStart::target_inside;
+  scenario.towing = {.mode = TowingMode::force, .starts_at = TowingStart::closed, .size = 5};
+  scenario.closing.duration = 0.4;
+  scenario.closing.closed_length = 5;
+  scenario.target.position = {0, 12.5, 0};
+  scenario.target.velocity = {0, -2, 0};
+  expect_valid(scenario);
+  Simulation simulation(scenario);
+  const double open = open_tip_distance(scenario);
+  EXPECT_EQ(channel(after(simulation, 0.24), "commanded_length"), open);
+  EXPECT_LT(channel(after(simulation, 0.4), "commanded_length"), open);
+  EXPECT_EQ(channel(simulation.snapshot(), "capture_phase"), 1);
+  EXPECT_GT(channel(after(simulation, 0.64), "commanded_length"), 5);
+  const Snapshot closed = after(simulation, 0.68);
+  EXPECT_EQ(channel(closed, "commanded_length"), 5);
+  EXPECT_EQ(channel(closed, "capture_phase"), 3);
+}
+
+TEST(PocketControl, RecordingsTellThePhasesThatEventsBegan) {
+  Scenario scenario = coarse();
+  scenario.closing.starts_at = ClosingStart::distance;
+  scenario.closing.distance = 8.3;
+  scenario.closing.duration = 0.4;
+  scenario.closing.closed_length = 5;
+  scenario.target.velocity = {0, -1, 0};
+  const std::string path = testing::TempDir() + "/phases.h5";
+  run_to_recording(scenario, path, {.overwrite = true});
+  const std::vector<Phase> phases = Recording(path).origin().phases;
+  ASSERT_EQ(phases.size(), 3u);
+  EXPECT_EQ(phases[1].name, kClosing);
+  EXPECT_NEAR(phases[1].begin, 0.2, 0.021);  // after 0.2 m; frames are 0.02 s apart
+  EXPECT_NEAR(phases[1].end, 0.6, 0.021);
+  EXPECT_EQ(phases[2].name, "closed");
+}
+
+TEST(PocketControl, ClosingStartsAtADistance) {
+  Scenario scenario = coarse();
+  scenario.closing.starts_at = ClosingStart::distance;
+  scenario.closing.distance = 8;
+  scenario.target.velocity = {0, -1, 0};  // from 7.5 m above the root, 8.5 m from the spacecraft's centre
+  Simulation simulation(scenario);
+  EXPECT_EQ(channel(after(simulation, 0.48), "commanded_length"), open_tip_distance(scenario));
+  EXPECT_LT(channel(after(simulation, 0.8), "commanded_length"), open_tip_distance(scenario));
+}
+
+// The rope of a jammed retractor keeps its length, the others follow the law.
+TEST(PocketControl, WinchesFollowTheLawAndAJammedOneStays) {
+  Scenario scenario = coarse();
+  scenario.winch.drive = WinchDrive::length;
+  scenario.closing.duration = 5;
+  scenario.winch.jammed = {{3, 1.49}};
+  scenario.winch.late = {{5, 0.24}};
+  expect_valid(scenario);
+  Scenario ideal = coarse();
+  ideal.closing.duration = 5;
+  Simulation driven(scenario), prescribed(ideal);
+  const Snapshot at_jam = after(driven, 1.5);
+  const Snapshot wanted_early = after(prescribed, 2.26);
+  const Snapshot end = after(driven, 2.5), wanted = after(prescribed, 2.5);
+  EXPECT_NEAR(channel(end, "winch_length_1"), channel(wanted, "commanded_length"), 0.02);
+  EXPECT_NEAR(channel(end, "winch_length_5"), channel(wanted_early, "commanded_length"), 0.02);
+  EXPECT_EQ(channel(end, "winch_length_3"), channel(at_jam, "winch_length_3"));
+  EXPECT_EQ(channel(end, "winch_rate_3"), 0);
+  EXPECT_GT(channel(end, "winch_length_3"), channel(end, "winch_length_1") + 0.5);
+  EXPECT_GT(channel(end, "winch_work"), 0);
+  // What the ropes did to the system is in its account.
+  EXPECT_LT(std::abs(channel(end, "energy_error")), 0.02 * channel(end, "energy_input"));
+}
+
+// A proportional loop: rate = gain (tension - wanted), on average over the sensor's noise.
+TEST(PocketControl, WinchesWindByTheErrorOfTheTension) {
+  Scenario scenario = coarse();
+  scenario.winch.drive = WinchDrive::tension;
+  scenario.winch.tension = 5;
+  scenario.winch.tension_gain = 0.02;
+  scenario.winch.take_up_rate = 0;
+  scenario.sensors = {{.kind = SensorKind::rope_tension, .rate = 500, .noise = 0.05}};
+  expect_valid(scenario);
+  Simulation simulation(scenario);
+  double tension = 0, rate = 0;
+  constexpr int kFrames = 40;
+  for (int i = 0; i < kFrames; ++i) {
+    const Snapshot snapshot = after(simulation, 0.6 + 0.02 * i);
+    tension += channel(snapshot, "rope_tension_1") / kFrames;
+    rate += channel(snapshot, "winch_rate_1") / kFrames;
+  }
+  EXPECT_LT(rate, -0.04);
+  EXPECT_NEAR(rate, 0.02 * (tension - 5), 0.01);
+}
+
+// All parts, with random noise: a restored run goes on with the same bits.
+Scenario everything() {
+  Scenario scenario = coarse();
+  scenario.closing.starts_at = ClosingStart::distance;
+  scenario.closing.distance = 8.4;
+  scenario.target.velocity = {0.1, -1, 0};
+  scenario.target.torque = {1, 0, 0};
+  scenario.towing.mode = TowingMode::controlled;
+  scenario.towing.start = 0.3;
+  scenario.towing.abort_force = 1000;
+  scenario.winch.drive = WinchDrive::tension;
+  scenario.controllers = {
+      {.kind = ControllerKind::attitude_sliding_mode, .rate = 100, .observer = 2, .feed_forward = true},
+      {.kind = ControllerKind::position_pd, .rate = 50, .axes = ControlledAxes::lateral},
+      {.kind = ControllerKind::tow, .phase = ControlPhase::towing, .most_tension = 50}};
+  scenario.sensors = {{.kind = SensorKind::attitude, .noise = 1e-3, .delay = 0.03},
+                      {.kind = SensorKind::rope_tension, .rate = 200, .noise = 0.1, .dropout = 0.1}};
+  scenario.actuators = {.kind = ActuatorKind::box, .time_constant = 0.02};
+  scenario.wheels = {{{1, 0, 0}, 5, 50}};
+  return scenario;
+}
+
+void expect_same(const Snapshot& a, const Snapshot& b) {
+  EXPECT_EQ(a.positions, b.positions);
+  EXPECT_EQ(a.velocities, b.velocities);
+  EXPECT_EQ(a.channels, b.channels);
+}
+
+TEST(PocketControl, ResumesToTheLastBit) {
+  expect_valid(everything());
+  Simulation whole(everything());
+  after(whole, 0.4);
+  const std::vector<double> state = whole.checkpoint();
+  const Snapshot expected = after(whole, 0.6);
+  Simulation resumed(everything());
+  resumed.restore(state);
+  expect_same(after(resumed, 0.6), expected);
+  EXPECT_GT(channel(expected, "propellant"), 0);
+}
+
+// The branch: gains and set points of the second half of a run are others.
+TEST(PocketControl, BranchesWithOtherGainsToTheLastBit) {
+  Scenario other = everything();
+  other.controllers[0].slope = 2;
+  other.controllers[0].kind = ControllerKind::spin_damping;
+  other.winch.tension = 10;
+  other.sensors.clear();
+  Simulation whole(everything());
+  after(whole, 0.3);
+  EXPECT_EQ(whole.change_strategy(other), (std::vector<std::string>{"sensor", "controller.0.kind"}));
+  EXPECT_EQ(whole.scenario().controllers[0].slope, 2);
+  after(whole, 0.4);
+  const std::vector<double> state = whole.checkpoint();
+  const Snapshot expected = after(whole, 0.6);
+  Simulation resumed(whole.scenario());
+  resumed.restore(state);
+  expect_same(after(resumed, 0.6), expected);
+}
+
+TEST(PocketControl, TowingEndsBeyondTheForceThatAborts) {
+  Scenario scenario = coarse();
+  scenario.target.radius = 4.5;
+  scenario.closing.duration = 1;
+  scenario.closing.closed_length = 2.1;
+  scenario.towing = {.mode = TowingMode::force, .start = 0.2, .duration = 5, .size = 100, .offset = 0};
+  scenario.towing.abort_force = 1e-3;  // the first touch
+  Simulation simulation(scenario);
+  after(simulation, 2.5);
+  const double before = simulation.snapshot().bodies[0].velocity.y();
+  scenario.towing.abort_force = 0;
+  Simulation unaborted(scenario);
+  after(unaborted, 2.5);
+  EXPECT_LT(unaborted.snapshot().bodies[0].velocity.y(), before - 0.01);
+}
+
+}  // namespace
+}  // namespace netpocket
