@@ -50,6 +50,16 @@ NETPOCKET_INLINE bool are_all_negative(const SimdDouble& value) {
   return all;
 }
 
+NETPOCKET_INLINE bool is_any_positive(const SimdDouble& value) {
+#if defined(__AVX512F__)
+  return _mm512_cmp_pd_mask(__m512d(value), _mm512_setzero_pd(), _CMP_GT_OQ) != 0;
+#elif defined(__AVX__)
+  return _mm256_movemask_pd(_mm256_cmp_pd(__m256d(value), _mm256_setzero_pd(), _CMP_GT_OQ)) != 0;
+#else
+  return _mm_movemask_pd(_mm_cmpgt_pd(__m128d(value), _mm_setzero_pd())) != 0;
+#endif
+}
+
 NETPOCKET_INLINE SimdDouble square_root(const SimdDouble& value) {
 #if defined(__AVX512F__)
   return SimdDouble(_mm512_maskz_sqrt_pd(0xff, __m512d(value)));  // without a mask GCC 12 warns

@@ -48,12 +48,16 @@ class AppliedForces {
     touched_.clear();
   }
   void add(std::int32_t coordinate, const Eigen::Vector3d& force) {
-    if (mark(coordinate) != Mark::touched) {
-      mark(coordinate) = Mark::touched;
-      touched_.push_back(coordinate - coordinate % kBlockSize);
-    }
+    touch(coordinate);
     forces_.add(coordinate, force);
   }
+  // Marks a coordinate to which a force is going to be added in data().
+  void touch(std::int32_t coordinate) {
+    if (mark(coordinate) == Mark::touched) return;
+    mark(coordinate) = Mark::touched;
+    touched_.push_back(coordinate - coordinate % kBlockSize);
+  }
+  double* data() { return forces_.data(); }
 
   CoordinateRows rows() const { return forces_.rows(); }
   // By block of coordinates: 0 where no force acts.

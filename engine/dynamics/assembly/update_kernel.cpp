@@ -87,7 +87,7 @@ NETPOCKET_INLINE SimdVector force_on(const UpdateView& view, const CoordinateBlo
   return force;
 }
 
-template <bool kPrefetches>
+template <bool kPrefetches, bool kPositions>
 NETPOCKET_INLINE void move_block(const UpdateView& view, const CoordinateBlock& block, double kick, double drift,
                                  LargestSquare& largest) {
   const std::ptrdiff_t coordinate = static_cast<std::ptrdiff_t>(block.coordinate_block) * kBlock,
@@ -99,22 +99,33 @@ NETPOCKET_INLINE void move_block(const UpdateView& view, const CoordinateBlock& 
     const SimdDouble vx = move(x, v, part, gain * force.x, broadcast(drift));
     const SimdDouble vy = move(x + kBlock, v + kBlock, part, gain * force.y, broadcast(drift));
     const SimdDouble vz = move(x + 2 * kBlock, v + 2 * kBlock, part, gain * force.z, broadcast(drift));
-    const SimdDouble weight = load(view.weight + coordinate, part);
-    note(largest, (weight * weight) * ((vx * vx + vz * vz) + vy * vy));
+    const SimdDouble square = (vx * vx + vz * vz) + vy * vy;
+    if constexpr (kPositions) {
+      note(largest, square);
+    } else {
+      const SimdDouble weight = load(view.weight + coordinate, part);
+      note(largest, (weight * weight) * square);
+    }
   }
 }
 
 template <bool kPrefetches>
 NETPOCKET_INLINE Fastest move_blocks(const UpdateView& view, int first, int last, double kick, double drift) {
-  LargestSquare fastest[2];
-  const auto kind = [&](int i) { return view.blocks[i].coordinate_block < view.gradient_block ? 0 : 1; };
+  LargestSquare position, gradient;
+  const auto holds_positions = [&](int i) { return view.blocks[i].coordinate_block < view.gradient_block; };
   for (int i = first; i < last;) {
-    const int of_run = kind(i);
-    LargestSquare largest = fastest[of_run];  // local copy, to be kept in registers
-    for (; i < last && kind(i) == of_run; ++i) move_block<kPrefetches>(view, view.blocks[i], kick, drift, largest);
-    fastest[of_run] = largest;
+    LargestSquare largest = position;  // local copies, to be kept in registers
+    for (; i < last && holds_positions(i); ++i) {
+      move_block<kPrefetches, true>(view, view.blocks[i], kick, drift, largest);
+    }
+    position = largest;
+    largest = gradient;
+    for (; i < last && !holds_positions(i); ++i) {
+      move_block<kPrefetches, false>(view, view.blocks[i], kick, drift, largest);
+    }
+    gradient = largest;
   }
-  return {value(fastest[0]), value(fastest[1])};
+  return {value(position), value(gradient)};
 }
 
 }  // namespace

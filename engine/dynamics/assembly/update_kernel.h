@@ -54,11 +54,11 @@ struct UpdateView {
   const std::uint8_t* loaded;  // by block of coordinates: 0 where `applied` is zero, so that it need not be read
   double* coordinates;         // CoordinateRows
   double* velocities;
-  const double* weight;         // by coordinate, as in Fastest
+  const double* weight;         // by gradient's coordinate, as in Fastest
   std::int32_t gradient_block;  // number of the first block of coordinates that holds gradients
 };
 
-// Largest (weight |v|)^2 of positions and of gradients; NaN if any value is NaN.
+// Largest |v|^2 of positions and (weight |v|)^2 of gradients; NaN if any value is NaN.
 struct Fastest {
   double position = 0, gradient = 0;
 };

@@ -53,14 +53,49 @@ NETPOCKET_INLINE SimdVector combine(const ContactBlock& c, int part, const SimdV
   return (load(c.weight[0], part) * a + load(c.weight[1], part) * b) +
          (load(c.weight[2], part) * d + load(c.weight[3], part) * e);
 }
+NETPOCKET_INLINE SimdVector load_run(const double* row, const ContactBlock& c, int corner, int part) {
+  return {load_rotated(row, part, c.rotation[corner]), load_rotated(row + kBlock, part, c.rotation[corner]),
+          load_rotated(row + 2 * kBlock, part, c.rotation[corner])};
+}
 NETPOCKET_INLINE SimdVector velocity_at_coordinates(const double* rows, const ContactBlock& c, int part) {
+  if (c.is_regular) {
+    const auto corner = [&](int i) {
+      return load_run(rows + static_cast<std::ptrdiff_t>(c.base[i]) * kVectorRows, c, i, part);
+    };
+    return combine(c, part, corner(0), corner(1), corner(2), corner(3));
+  }
   return combine(c, part, gather_coordinates(rows, c.coordinate[0], part),
                  gather_coordinates(rows, c.coordinate[1], part), gather_coordinates(rows, c.coordinate[2], part),
                  gather_coordinates(rows, c.coordinate[3], part));
 }
 NETPOCKET_INLINE SimdVector velocity_at_places(const double* rows, const ContactBlock& c, int part) {
+  if (c.is_regular) {
+    const auto corner = [&](int i) {
+      return load_run(rows + static_cast<std::ptrdiff_t>(c.place[i][0]) * (kVectorRows * kBlock), c, i, part);
+    };
+    return combine(c, part, corner(0), corner(1), corner(2), corner(3));
+  }
   return combine(c, part, at_places(rows, c, 0, part), at_places(rows, c, 1, part), at_places(rows, c, 2, part),
                  at_places(rows, c, 3, part));
+}
+
+// Sum of weights and inverse mass of the coordinates of one corner.
+struct Shares {
+  SimdDouble weight, inverse_mass;
+};
+NETPOCKET_INLINE Shares shares(const ForceView& view, const ContactBlock& c, int corner, int part) {
+  if (c.is_regular) {
+    const double* weights = view.shared_weight + static_cast<std::ptrdiff_t>(c.place[corner][0]) * kBlock;
+    return {load_rotated(weights, part, c.rotation[corner]),
+            load_rotated(view.inverse_mass + c.base[corner], part, c.rotation[corner])};
+  }
+  std::ptrdiff_t coordinate[kWidth], place[kWidth];
+  for (int i = 0; i < kWidth; ++i) {
+    const int lane = part * kWidth + i;
+    coordinate[i] = c.coordinate[corner][lane];
+    place[i] = static_cast<std::ptrdiff_t>(c.place[corner][lane]) * kBlock + coordinate[i] % kBlock;
+  }
+  return {gather(view.shared_weight, place), gather(view.inverse_mass, coordinate)};
 }
 
 // As ContactedCoordinates::inverse_mass.
@@ -68,14 +103,8 @@ NETPOCKET_INLINE SimdDouble shared_inverse_mass(const ForceView& view, const Con
   SimdDouble sum = {};
   for (int corner = 0; corner < 4; ++corner) {
     const SimdDouble weight = load(c.weight[corner], part);
-    std::ptrdiff_t coordinate[kWidth], place[kWidth];
-    for (int i = 0; i < kWidth; ++i) {
-      const int lane = part * kWidth + i;
-      coordinate[i] = c.coordinate[corner][lane];
-      place[i] = static_cast<std::ptrdiff_t>(c.place[corner][lane]) * kBlock + coordinate[i] % kBlock;
-    }
-    sum = sum + ((weight < broadcast(0.0) ? -weight : weight) * gather(view.shared_weight, place)) *
-                    gather(view.inverse_mass, coordinate);
+    const auto [shared, inverse_mass] = shares(view, c, corner, part);
+    sum = sum + ((weight < broadcast(0.0) ? -weight : weight) * shared) * inverse_mass;
   }
   return sum;
 }
@@ -184,6 +213,7 @@ NETPOCKET_INLINE Piece make_piece(const SimdVector& start, const SimdVector& end
 // As estimate_deepest of segment_contact.h, in the same notation. The weight changes by one half along the piece.
 NETPOCKET_INLINE Estimate estimate(const Piece& piece, double at_start, double at_end) {
   const SimdDouble zero = broadcast(0.0);
+  if (!is_any_positive(piece.depth)) return {zero, zero, broadcast(-1.0)};
   const SimdDouble rise = broadcast(at_end - at_start), here = broadcast(at_start) + rise * piece.nearest;
   const SimdDouble end = broadcast(at_end > at_start ? 1.0 : 0.0),
                    known = at_end > at_start ? piece.at_end : piece.at_start;
@@ -222,18 +252,43 @@ NETPOCKET_INLINE SimdVector chosen(const SimdDouble& number, int index, const Si
   return {is_it ? value.x : otherwise.x, is_it ? value.y : otherwise.y, is_it ? value.z : otherwise.z};
 }
 
-NETPOCKET_INLINE void store_choice(const Piece* pieces, const Choice& choice, const SimdDouble& thickness, int holder,
-                                   int part, SpherePlaces& places) {
+// The vertices of the chain and the sphere.
+struct Chain {
+  SimdVector vertex[5], centre;
+  SimdDouble thickness;
+};
+
+NETPOCKET_INLINE void store_choice(const Chain& chain, const Piece* pieces, const Choice& choice, int holder, int part,
+                                   SpherePlaces& places) {
+  const SimdDouble zero = broadcast(0.0), one = broadcast(1.0);
   SimdVector start = pieces[0].start, along = pieces[0].along;
   for (int i = 1; i < 4; ++i) {
     start = chosen(choice.number, i, pieces[i].start, start);
     along = chosen(choice.number, i, pieces[i].along, along);
   }
-  const SimdVector arm = start + choice.estimate.t * along;
-  const SimdDouble depth = thickness - square_root(dot(arm, arm));
-  store(places.place[holder], part, choice.number + choice.estimate.t);
-  store(places.depth[holder], part, choice.estimate.score > broadcast(0.0) ? depth : broadcast(0.0));
-  store(places.share[holder], part, choice.estimate.weight);
+  const SimdVector estimated = start + choice.estimate.t * along;
+  const SimdDouble found = chain.thickness - square_root(dot(estimated, estimated));
+  const SimdDouble depth = choice.estimate.score > zero ? found : zero, weight = choice.estimate.weight;
+  store(places.depth[holder], part, depth);
+  if (!is_any_positive(depth)) return;
+  store(places.share[holder], part, weight);
+  store(places.score[holder], part, weight * weight * ((depth * depth) * (depth * depth) * depth));
+  // The end of a capsule counts as the start of the next.
+  const SimdDouble place = choice.number + choice.estimate.t;
+  SimdDouble segment = zero;
+  SimdVector first = chain.vertex[0], second = chain.vertex[1];
+  for (int i = 1; i < 4; ++i) {
+    segment = place >= broadcast(static_cast<double>(i)) ? segment + one : segment;
+    first = chosen(segment, i, chain.vertex[i], first);
+    second = chosen(segment, i, chain.vertex[i + 1], second);
+  }
+  const SimdDouble t = place - segment;
+  const SimdVector point = first + t * (second - first), arm = point - chain.centre;
+  const SimdDouble distance = square_root(dot(arm, arm));
+  store(places.segment[holder], part, segment);
+  store(places.t[holder], part, t);
+  store3(places.point[holder][0], 0, part, point);
+  store3(places.normal[holder][0], 0, part, {arm.x / distance, arm.y / distance, arm.z / distance});
 }
 
 }  // namespace
@@ -241,11 +296,15 @@ NETPOCKET_INLINE void store_choice(const Piece* pieces, const Choice& choice, co
 void sphere_places(const double* vertices, const double* centre, const double* thickness, SpherePlaces& places) {
   for (int part = 0; part < kParts; ++part) {
     const SimdDouble thick = load(thickness, part);
+    Chain chain;
+    chain.centre = broadcast3(centre);
+    chain.thickness = thick;
     SimdVector arm[5];
     SimdDouble depth[5];
     for (int i = 0; i < 5; ++i) {
       const double* row = vertices + i * kVectorRows * kBlock;
-      arm[i] = SimdVector{load(row, part), load(row + kBlock, part), load(row + 2 * kBlock, part)} - broadcast3(centre);
+      chain.vertex[i] = {load(row, part), load(row + kBlock, part), load(row + 2 * kBlock, part)};
+      arm[i] = chain.vertex[i] - chain.centre;
       depth[i] = thick - square_root(dot(arm[i], arm[i]));
     }
     Piece pieces[4];
@@ -255,14 +314,17 @@ void sphere_places(const double* vertices, const double* centre, const double* t
       deepest = larger(deepest, pieces[i].depth);
     }
     store(places.clearance, part, -deepest);
-    if (are_all_negative(deepest)) continue;
+    if (are_all_negative(deepest)) {
+      for (double(&depths)[kBlock] : places.depth) store(depths, part, broadcast(0.0));
+      continue;
+    }
     const auto choose = [&](int first, double a, double b, double c) {
       return better({estimate(pieces[first], a, b), broadcast(static_cast<double>(first))},
                     {estimate(pieces[first + 1], b, c), broadcast(static_cast<double>(first + 1))});
     };
-    store_choice(pieces, choose(0, 1, 0.5, 0), thick, 0, part, places);
-    store_choice(pieces, better(choose(0, 0, 0.5, 1), choose(2, 1, 0.5, 0)), thick, 1, part, places);
-    store_choice(pieces, choose(2, 0, 0.5, 1), thick, 2, part, places);
+    store_choice(chain, pieces, choose(0, 1, 0.5, 0), 0, part, places);
+    store_choice(chain, pieces, better(choose(0, 0, 0.5, 1), choose(2, 1, 0.5, 0)), 1, part, places);
+    store_choice(chain, pieces, choose(2, 0, 0.5, 1), 2, part, places);
   }
 }
 
@@ -299,25 +361,92 @@ void forces(const ForceView& view, const BodyMotion& body, ContactBlock* contact
   }
 }
 
-ContactPower power(const CoordinateRows& velocities, const BodyMotion& body, const ContactBlock* contacts,
-                   std::size_t count) {
-  SimdDouble damping[kParts] = {}, friction[kParts] = {};
+namespace {
+
+// Adds eight values to a row; that of lane i to (i + rotation) mod 8.
+NETPOCKET_INLINE void add_rotated(double* row, int rotation, const double* values) {
+  for (int part = 0; part < kParts; ++part) {
+    store(row, part, load(row, part) + load_rotated(values, part, (kBlock - rotation) % kBlock));
+  }
+}
+
+template <typename Function>
+NETPOCKET_INLINE void for_each_lane(const ContactBlock& c, const Function& function) {
+  for (int lane = 0; lane < kBlock; ++lane) {
+    if ((c.used >> lane & 1U) != 0) function(lane);
+  }
+}
+
+}  // namespace
+
+void share(const ContactBlock* contacts, std::size_t count, double* shared_weight) {
+  for (int corner = 0; corner < 4; ++corner) {
+    for (const ContactBlock* c = contacts; c != contacts + count; ++c) {
+      alignas(64) double weights[kBlock];
+      for (int part = 0; part < kParts; ++part) {
+        const SimdDouble weight = load(c->share, part) * load(c->weight[corner], part);
+        store(weights, part, weight < broadcast(0.0) ? -weight : weight);
+      }
+      if (c->is_regular) {
+        add_rotated(shared_weight + static_cast<std::ptrdiff_t>(c->place[corner][0]) * kBlock, c->rotation[corner],
+                    weights);
+      } else {
+        for_each_lane(*c, [&](int lane) {
+          shared_weight[c->place[corner][lane] * kBlock + c->coordinate[corner][lane] % kBlock] += weights[lane];
+        });
+      }
+    }
+  }
+}
+
+void apply(const ContactBlock* contacts, std::size_t count, double* forces) {
+  for (int corner = 0; corner < 4; ++corner) {
+    for (const ContactBlock* c = contacts; c != contacts + count; ++c) {
+      for (int axis = 0; axis < kVectorRows; ++axis) {
+        alignas(64) double weighted[kBlock];
+        for (int part = 0; part < kParts; ++part) {
+          store(weighted, part, load(c->weight[corner], part) * load(c->force[axis], part));
+        }
+        double* row = forces + axis * kBlock;
+        if (c->is_regular) {
+          add_rotated(row + static_cast<std::ptrdiff_t>(c->base[corner]) * kVectorRows, c->rotation[corner], weighted);
+        } else {
+          for_each_lane(*c, [&](int lane) {
+            const std::ptrdiff_t coordinate = c->coordinate[corner][lane];
+            row[coordinate / kBlock * (kVectorRows * kBlock) + coordinate % kBlock] += weighted[lane];
+          });
+        }
+      }
+    }
+  }
+}
+
+void forces_on_body(const ContactBlock* contacts, std::size_t count, const double* centre, BodyForces& sums) {
+  for (int part = 0; part < kParts; ++part) {
+    SimdVector force = {}, torque = {};
+    for (const ContactBlock* c = contacts; c != contacts + count; ++c) {
+      const SimdVector on_cord = load3(c->force, part);
+      const SimdVector on_body = {-on_cord.x, -on_cord.y, -on_cord.z};
+      force = force + on_body;
+      torque = torque + cross(load3(c->point, part) - broadcast3(centre), on_body);
+    }
+    store3(sums.force[0], 0, part, force);
+    store3(sums.torque[0], 0, part, torque);
+  }
+}
+
+void power(const CoordinateRows& velocities, const BodyMotion& body, const ContactBlock* contacts, std::size_t count,
+           LanePowers* powers) {
   for (std::size_t i = 0; i < count; ++i) {
     const ContactBlock& c = contacts[i];
     for (int part = 0; part < kParts; ++part) {
       const SimdVector arm = load3(c.point, part) - broadcast3(body.position), normal = load3(c.normal, part);
       const SimdVector velocity = velocity_at_coordinates(velocities.first, c, part) - body_velocity(body, arm);
       const SimdDouble separation = dot(velocity, normal), push = load(c.normal_force, part);
-      damping[part] = damping[part] - (push - load(c.elastic, part)) * separation;
-      friction[part] = friction[part] - (dot(load3(c.force, part), velocity) - push * separation);
+      store(powers[i].damping, part, (push - load(c.elastic, part)) * separation);
+      store(powers[i].friction, part, dot(load3(c.force, part), velocity) - push * separation);
     }
   }
-  ContactPower total;
-  for (int lane = 0; lane < kBlock; ++lane) {
-    total.damping += damping[lane / kWidth][lane % kWidth];
-    total.friction += friction[lane / kWidth][lane % kWidth];
-  }
-  return total;
 }
 
 }  // namespace netpocket::contact_kernel::NETPOCKET_ISA_NAME

@@ -9,8 +9,9 @@
 
 namespace netpocket {
 
-// Eight contacts of cables with one body. Arrays are ordered by component or by corner of the cable's element, then by
-// lane.
+// Up to eight contacts of cables with one body. Arrays are ordered by component or by corner of the cable's element,
+// then by lane. Lanes without a contact are zero. A contact is in the lane that its element has in a block of elements,
+// so that most blocks can be read without gathering.
 struct alignas(64) ContactBlock {
   double weight[4][kBlockSize];  // shape functions at the contact point
   double point[3][kBlockSize];   // m, on the cable's axis; the force acts there on cable and body, so moments balance
@@ -29,11 +30,17 @@ struct alignas(64) ContactBlock {
   double damping_power[kBlockSize], friction_power[kBlockSize];  // W, at the velocities before the step (PowerKernel)
   std::int32_t coordinate[4][kBlockSize];
   std::int32_t place[4][kBlockSize];  // index of the coordinate's block in ContactedCoordinates
+  // Whether all lanes read whole blocks of coordinates, as ElementBlock does with its members of these names. All lanes
+  // of a corner then have the same place.
+  bool is_regular;
+  std::int32_t base[4], rotation[4];
   std::int32_t element[kBlockSize];
   std::int32_t part[kBlockSize], holder[kBlockSize];  // of the body; of the cord (contact_search.h)
   bool is_cord_end[kBlockSize];                       // whether the holder is an end of the cord
   std::int32_t body;
-  std::int32_t count;  // number of contacts; the other lanes have zero weight and stiffness
+  bool feeds;                            // whether any contact is on an element of variable length
+  std::int32_t first_place, first_part;  // CordTouch::first_place and part of all contacts
+  std::uint32_t used;                    // bit i: lane i holds a contact
 };
 
 namespace contact_kernel {
@@ -71,9 +78,12 @@ using VertexKernel = void (*)(const ElementBlock& block, const Vertex* vertices,
 struct alignas(64) SpherePlaces {
   double clearance[kBlockSize];  // m, between the surfaces; the other members are not set where all
                                  // clearances of a SIMD part are positive
-  double place[3][kBlockSize];   // index of the capsule plus fraction along it, 0 to 4
-  double depth[3][kBlockSize];   // m; zero or negative: no contact
+  double depth[3][kBlockSize];   // m; zero or negative: no contact, and the following members have no meaning
   double share[3][kBlockSize];
+  double score[3][kBlockSize];                               // as WeightedPlace::score
+  double segment[3][kBlockSize];                             // index of the capsule
+  double t[3][kBlockSize];                                   // position along it, 0 to 1
+  double point[3][3][kBlockSize], normal[3][3][kBlockSize];  // on the axis; outward from the sphere
 };
 // `vertices`: rows of five vertices, as VertexKernel fills them. `thickness`: by lane, radius of the sphere plus radius
 // of the cord (m). `centre`: of the sphere (m).
@@ -81,6 +91,16 @@ using SphereKernel = void (*)(const double* vertices, const double* centre, cons
                               SpherePlaces& places);
 // Computes the forces of `count` blocks of contacts with one body.
 using ForceKernel = void (*)(const ForceView& view, const BodyMotion& body, ContactBlock* contacts, std::size_t count);
+// Adds to `shared_weight`, sums of ContactedCoordinates, the weights of contacts on their coordinates. All contacts of
+// a corner come before those of the next. So the order at any one coordinate is the same in every sector.
+using ShareKernel = void (*)(const ContactBlock* contacts, std::size_t count, double* shared_weight);
+// Adds the forces of contacts to rows of forces on coordinates (CoordinateRows), in the same order.
+using ApplyKernel = void (*)(const ContactBlock* contacts, std::size_t count, double* forces);
+// Sums, by lane, of the forces and torques (about `centre`) of contacts on their body.
+struct alignas(64) BodyForces {
+  double force[3][kBlockSize], torque[3][kBlockSize];
+};
+using BodyKernel = void (*)(const ContactBlock* contacts, std::size_t count, const double* centre, BodyForces& sums);
 // Power (W) that contacts take out of the motion at given velocities.
 struct ContactPower {
   double damping = 0;  // by dampers, and by stopping a cord within a step
@@ -92,14 +112,21 @@ struct ContactPower {
     return *this;
   }
 };
-using PowerKernel = ContactPower (*)(const CoordinateRows& velocities, const BodyMotion& body,
-                                     const ContactBlock* contacts, std::size_t count);
+// The negative powers of each lane, W.
+struct alignas(64) LanePowers {
+  double damping[kBlockSize], friction[kBlockSize];
+};
+using PowerKernel = void (*)(const CoordinateRows& velocities, const BodyMotion& body, const ContactBlock* contacts,
+                             std::size_t count, LanePowers* powers);
 
 NETPOCKET_VARIANTS(void vertices(const ElementBlock&, const Vertex*, std::size_t, const CoordinateRows&, const double*,
                                  double*);
                    void sphere_places(const double*, const double*, const double*, SpherePlaces&);
+                   void share(const ContactBlock*, std::size_t, double*);
+                   void apply(const ContactBlock*, std::size_t, double*);
+                   void forces_on_body(const ContactBlock*, std::size_t, const double*, BodyForces&);
                    void forces(const ForceView&, const BodyMotion&, ContactBlock*, std::size_t);
-                   ContactPower power(const CoordinateRows&, const BodyMotion&, const ContactBlock*, std::size_t);)
+                   void power(const CoordinateRows&, const BodyMotion&, const ContactBlock*, std::size_t, LanePowers*);)
 
 }  // namespace contact_kernel
 }  // namespace netpocket

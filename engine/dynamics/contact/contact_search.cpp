@@ -32,6 +32,14 @@ const SearchKernels& search_kernels() {
   return chosen;
 }
 
+// Of eight values, without long chains of comparisons. A value that is no number may be missed.
+double least_of(const double* values) {
+  double least[4];
+  for (int i = 0; i < 4; ++i) least[i] = values[i + 4] < values[i] ? values[i + 4] : values[i];
+  for (int i = 0; i < 2; ++i) least[i] = least[i + 2] < least[i] ? least[i + 2] : least[i];
+  return least[1] < least[0] ? least[1] : least[0];
+}
+
 // Below the scores of places that touch, in the same order.
 double score_apart(const WeightedPlace& place) {
   return -1 / (std::numeric_limits<double>::min() + std::max(place.score(), 0.0));
@@ -52,7 +60,8 @@ ContactSearch::ContactSearch(const Model& model, std::span<const std::int32_t> n
   const std::size_t padded = (model.elements.size() + kBlockSize - 1) / kBlockSize * kBlockSize;
   radius_.assign(padded, -1.0);
   due_.assign(padded, kNever);
-  block_due_.assign(padded / kBlockSize, kNever);
+  const std::size_t blocks = padded / kBlockSize;
+  block_due_.assign((blocks + kBlockSize - 1) / kBlockSize * kBlockSize, kNever);
   double longest = 0;
   for (std::int32_t i = 0; i < static_cast<std::int32_t>(model.elements.size()); ++i) {
     if (!is_touchable(model, i, body)) continue;
@@ -60,6 +69,7 @@ ContactSearch::ContactSearch(const Model& model, std::span<const std::int32_t> n
     smallest_radius_ = std::min(smallest_radius_, model.radius_of(i));
     longest = std::max(longest, model.elements[static_cast<std::size_t>(i)].length);
   }
+  for (const double radius : radius_) thickness_.push_back(bounding_radius_ + std::max(radius, 0.0));
   rows_.resize(static_cast<std::size_t>((kSegments + 1) * kVectorRows + 1) * kBlockSize);
   is_large_sphere_ = std::holds_alternative<Sphere>(parts_.front().solid) && bounding_radius_ > kLargeSphere * longest;
   double thinnest = kNever;
@@ -83,37 +93,45 @@ bool ContactSearch::is_touchable(const Model& model, std::int32_t element, std::
 void ContactSearch::forget() {
   approach_ = 0;
   for (std::size_t i = 0; i < due_.size(); ++i) due_[i] = radius_[i] > 0 ? 0 : kNever;
-  for (std::size_t block = 0; block < block_due_.size(); ++block) set_due(static_cast<std::int32_t>(block));
+  for (std::size_t block = 0; block < due_.size() / kBlockSize; ++block) set_due(static_cast<std::int32_t>(block));
   least_due_ = 0;
 }
 
 void ContactSearch::set_due(std::int32_t block) {
-  const double* due = due_.data() + static_cast<std::ptrdiff_t>(block) * kBlockSize;
-  double least = due[0];
-  for (int lane = 1; lane < kBlockSize; ++lane) least = due[lane] < least ? due[lane] : least;
-  block_due_[static_cast<std::size_t>(block)] = least;
+  block_due_[static_cast<std::size_t>(block)] = least_of(due_.data() + static_cast<std::ptrdiff_t>(block) * kBlockSize);
+}
+
+void ContactSearch::look_at_block(std::int32_t block, const CoordinateVectors& coordinates, const ElementBatch& batch,
+                                  const DynamicBody& body, double ahead, std::vector<CordTouch>& touches) {
+  const Vector3d centre = body.centre();
+  search_kernels().vertices(batch.block(block), vertices_.data(), vertices_.size(), coordinates.rows(), centre.data(),
+                            rows_.data());
+  if (is_large_sphere_ && ahead == 0 && pieces_ == kHalves) {
+    look_at_sphere(block, body, touches);
+  } else {
+    look_at_lanes(block, body, ahead, touches);
+  }
+  set_due(block);
 }
 
 void ContactSearch::find(const CoordinateVectors& coordinates, const ElementBatch& batch, const DynamicBody& body,
                          double ahead, std::vector<CordTouch>& touches) {
   touches.clear();
-  const Vector3d centre = body.centre();
   const double limit = approach_ + ahead;
   if (least_due_ > limit) return;
-  const auto blocks = static_cast<std::int32_t>(block_due_.size());
-  for (std::int32_t block = 0; block < blocks; ++block) {
-    if (block_due_[static_cast<std::size_t>(block)] > limit) continue;
-    search_kernels().vertices(batch.block(block), vertices_.data(), vertices_.size(), coordinates.rows(), centre.data(),
-                              rows_.data());
-    if (is_large_sphere_ && ahead == 0 && pieces_ == kHalves) {
-      look_at_sphere(block, body, touches);
-    } else {
-      look_at_lanes(block, body, ahead, touches);
+  for (std::size_t first = 0; first < block_due_.size(); first += kBlockSize) {
+    if (least_of(&block_due_[first]) > limit) continue;
+    // In a diverged state even the padding is due.
+    const std::size_t last = std::min(first + kBlockSize, due_.size() / kBlockSize);
+    for (std::size_t block = first; block < last; ++block) {
+      if (block_due_[block] > limit) continue;
+      look_at_block(static_cast<std::int32_t>(block), coordinates, batch, body, ahead, touches);
     }
-    set_due(block);
   }
   least_due_ = kNever;
-  for (const double due : block_due_) least_due_ = std::min(least_due_, due);
+  for (std::size_t first = 0; first < block_due_.size(); first += kBlockSize) {
+    least_due_ = std::min(least_due_, least_of(&block_due_[first]));
+  }
   for (const auto& [part, holder] : taken_) holder_touch_[static_cast<std::size_t>(part)][holder] = -1;
   taken_.clear();
 }
@@ -131,12 +149,11 @@ ContactSearch::Chain ContactSearch::chain_of_lane(int lane) const {
 void ContactSearch::look_at_sphere(std::int32_t block, const DynamicBody& body, std::vector<CordTouch>& touches) {
   const Vector3d centre = body.centre();
   const std::size_t first = static_cast<std::size_t>(block) * kBlockSize;
-  alignas(64) double thickness[kBlockSize];
+  const double* thickness = thickness_.data() + first;
   bool is_near = false;
   const double* from_centre = rows_.data() + (kSegments + 1) * kVectorRows * kBlockSize;
   for (int lane = 0; lane < kBlockSize; ++lane) {
     const std::size_t element = first + static_cast<std::size_t>(lane);
-    thickness[lane] = bounding_radius_ + std::max(radius_[element], 0.0);
     const double clearance = from_centre[lane] - thickness[lane];
     is_near = is_near || (radius_[element] > 0 && !(clearance > 0));
     if (radius_[element] > 0) due_[element] = approach_ + std::max(clearance, 0.0);
@@ -151,27 +168,17 @@ void ContactSearch::look_at_sphere(std::int32_t block, const DynamicBody& body, 
     due_[element] = clearance > 0 ? approach_ + clearance : approach_;
     if (clearance > 0) continue;
     for (int holder = 0; holder <= kHalves; ++holder) {
-      const double depth = places.depth[holder][lane];
-      if (!(depth > 0) || !(places.share[holder][lane] > 0)) continue;
-      const int segment = std::min(static_cast<int>(places.place[holder][lane]), kSegments - 1);
-      const double t = places.place[holder][lane] - segment;
-      const auto vertex = [&](int i) -> Vector3d {
-        const double* row = rows_.data() + static_cast<std::size_t>(i) * kVectorRows * kBlockSize + lane;
-        return {row[0], row[kBlockSize], row[2 * kBlockSize]};
-      };
-      const Vector3d start = vertex(segment), point = start + t * (vertex(segment + 1) - start);
-      const Vector3d arm = point - centre;
-      const WeightedPlace found{t, places.share[holder][lane], depth};
-      add(holder,
-          {.element = static_cast<std::int32_t>(element),
-           .segment = segment,
-           .t = t,
-           .share = found.weight,
-           .penetration = depth,
-           .score = found.score(),
-           .normal = arm / symmetric_norm(arm),
-           .point = point},
-          touches);
+      const double depth = places.depth[holder][lane], share = places.share[holder][lane];
+      if (!(depth > 0) || !(share > 0)) continue;
+      const double score = places.score[holder][lane];
+      CordTouch* touch = claim(static_cast<std::int32_t>(element), 0, holder, score, touches);
+      if (touch == nullptr) continue;
+      touch->segment = static_cast<std::int32_t>(places.segment[holder][lane]);
+      touch->t = places.t[holder][lane];
+      touch->share = share;
+      touch->penetration = depth;
+      touch->normal = lane_of(places.normal[holder], lane);
+      touch->point = lane_of(places.point[holder], lane);
     }
   }
 }
@@ -281,34 +288,42 @@ void ContactSearch::touch(const Meeting& meeting, int holder, const Candidate& c
   const SegmentPlace place = find_deepest(parts_[part], piece, contact, thickness, candidate.weight);
   const WeightedPlace found{place.t, candidate.weight.at(place.t), thickness - place.distance};
   if (!(found.weight > 0)) return;
-  add(holder,
-      {.element = meeting.element,
-       .part = meeting.part,
-       .segment = candidate.segment,
-       .t = place.t,
-       .share = found.weight,
-       .penetration = radius - place.distance,
-       .score = is_apart ? score_apart(found) : found.score(),
-       .normal = symmetric_product(meeting.body.rigid().rotation(), place.normal),
-       .point = meeting.world[segment] + place.t * (meeting.world[segment + 1] - meeting.world[segment])},
-      touches);
+  CordTouch* touch =
+      claim(meeting.element, meeting.part, holder, is_apart ? score_apart(found) : found.score(), touches);
+  if (touch == nullptr) return;
+  touch->segment = candidate.segment;
+  touch->t = place.t;
+  touch->share = found.weight;
+  touch->penetration = radius - place.distance;
+  touch->normal = symmetric_product(meeting.body.rigid().rotation(), place.normal);
+  touch->point = meeting.world[segment] + place.t * (meeting.world[segment + 1] - meeting.world[segment]);
 }
 
-// At a node, the side with the higher score bears the force.
-void ContactSearch::add(int holder, CordTouch touch, std::vector<CordTouch>& touches) {
-  const auto element = static_cast<std::size_t>(touch.element), part = static_cast<std::size_t>(touch.part);
-  touch.is_cord_end = (holder == 0 && previous_[element] < 0) || (holder == pieces_ && next_[element] < 0);
-  std::vector<std::int32_t>& of_part = holder_touch_[part];
+// At a node, the side with the higher score bears the force. Returns the touch to be filled in, or null where the other
+// side has a higher score.
+CordTouch* ContactSearch::claim(std::int32_t element, std::int32_t part, int place, double score,
+                                std::vector<CordTouch>& touches) {
+  const auto i = static_cast<std::size_t>(element);
+  std::vector<std::int32_t>& of_part = holder_touch_[static_cast<std::size_t>(part)];
   if (of_part.empty()) of_part.assign(holder_count(), -1);
-  const std::size_t index = holder_index(touch.element, holder);
-  touch.holder = static_cast<std::int32_t>(index);
-  if (of_part[index] < 0) {
-    of_part[index] = static_cast<std::int32_t>(touches.size());
-    taken_.emplace_back(touch.part, index);
-    touches.push_back(touch);
-  } else if (CordTouch& other = touches[static_cast<std::size_t>(of_part[index])]; touch.score > other.score) {
-    other = touch;
+  const std::size_t holder = holder_index(element, place);
+  CordTouch* touch = nullptr;
+  if (of_part[holder] < 0) {
+    of_part[holder] = static_cast<std::int32_t>(touches.size());
+    taken_.emplace_back(part, holder);
+    touch = &touches.emplace_back();
+    touch->first_element = element;
+    touch->first_place = place;
+    touch->part = part;
+    touch->holder = static_cast<std::int32_t>(holder);
+  } else {
+    touch = &touches[static_cast<std::size_t>(of_part[holder])];
+    if (!(score > touch->score)) return nullptr;
   }
+  touch->element = element;
+  touch->is_cord_end = (place == 0 && previous_[i] < 0) || (place == pieces_ && next_[i] < 0);
+  touch->score = score;
+  return touch;
 }
 
 }  // namespace netpocket

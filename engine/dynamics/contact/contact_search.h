@@ -39,6 +39,9 @@ struct CordTouch {
   std::int32_t part = 0;     // index into parts()
   std::int32_t holder = 0;   // index of the holder, less than holder_count()
   std::int32_t segment = 0;  // index of the element's capsule
+  // The element and its place (0: first node) whose touch was found first at this holder. Two elements share the holder
+  // at their node.
+  std::int32_t first_element = 0, first_place = 0;
   double t = 0;              // position along the segment, 0 to 1
   double share = 0;          // weight of the holder there, 0 to 1
   double penetration = 0;    // m; negative: still apart
@@ -72,7 +75,8 @@ class ContactSearch {
   const std::vector<ContactPart>& parts() const { return parts_; }
   std::size_t holder_count() const { return static_cast<std::size_t>(pieces_ + 1) * next_.size(); }
   double bounding_radius() const { return bounding_radius_; }
-  double smallest_radius() const { return smallest_radius_; }  // of the cords
+  double radius_of(std::int32_t element) const { return radius_[static_cast<std::size_t>(element)]; }  // m, of its cord
+  double smallest_radius() const { return smallest_radius_; }                                          // of the cords
 
  private:
   struct Candidate {
@@ -83,6 +87,8 @@ class ContactSearch {
   using Contacts = std::array<SegmentContact, CordPolyline::kSegments>;
   using Chain = std::array<Eigen::Vector3d, CordPolyline::kSegments + 1>;
 
+  void look_at_block(std::int32_t block, const CoordinateVectors& coordinates, const ElementBatch& batch,
+                     const DynamicBody& body, double ahead, std::vector<CordTouch>& touches);
   // For the elements of a block whose vertices are in rows_.
   void look_at_sphere(std::int32_t block, const DynamicBody& body, std::vector<CordTouch>& touches);
   void look_at_lanes(std::int32_t block, const DynamicBody& body, double ahead, std::vector<CordTouch>& touches);
@@ -103,21 +109,22 @@ class ContactSearch {
     double ahead;  // m
   };
   void touch(const Meeting& meeting, int holder, const Candidate& candidate, std::vector<CordTouch>& touches);
-  void add(int holder, CordTouch touch, std::vector<CordTouch>& touches);
+  CordTouch* claim(std::int32_t element, std::int32_t part, int place, double score, std::vector<CordTouch>& touches);
   std::size_t holder_index(std::int32_t element, int holder) const;
 
   std::vector<ContactPart> parts_;
   double bounding_radius_, smallest_radius_;
   std::vector<contact_kernel::Vertex> vertices_;
   std::vector<std::int32_t> next_, previous_;
-  AlignedVector<double> radius_;   // m, by element, in whole blocks; negative: the element cannot touch the body
-  AlignedVector<double> due_;      // m, by element, in whole blocks: value of approach_ up to which it cannot touch
-  std::vector<double> block_due_;  // by block: the least due_
-  int pieces_ = kHalves;           // of an element, between its holders: halves or quarters
-  bool is_large_sphere_ = false;   // whether the body is a sphere much larger than a capsule
-  double least_due_ = 0;           // the least due_ of all elements
-  double approach_ = 0;            // m, sum of note_way since forget()
-  AlignedVector<double> rows_;     // vertices of one block
+  AlignedVector<double> radius_;     // m, by element, in whole blocks; negative: the element cannot touch the body
+  AlignedVector<double> due_;        // m, by element, in whole blocks: value of approach_ up to which it cannot touch
+  AlignedVector<double> thickness_;  // m, by element: radius of the body's bounding sphere plus that of the cord
+  std::vector<double> block_due_;    // by block, in whole blocks of blocks: the least due_
+  int pieces_ = kHalves;             // of an element, between its holders: halves or quarters
+  bool is_large_sphere_ = false;     // whether the body is a sphere much larger than a capsule
+  double least_due_ = 0;             // the least due_ of all elements
+  double approach_ = 0;              // m, sum of note_way since forget()
+  AlignedVector<double> rows_;       // vertices of one block
   // By part and holder: index into the touches that are being found, or -1.
   std::vector<std::vector<std::int32_t>> holder_touch_;
   std::vector<std::pair<std::int32_t, std::size_t>> taken_;  // part and holder of these entries

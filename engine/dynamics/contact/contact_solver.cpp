@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/dynamics/contact/contact_blocks.h"
 #include "engine/dynamics/contact/contact_stop.h"
 #include "engine/dynamics/contact/cord_chain.h"
 #include "engine/math/instruction_set.h"
@@ -54,43 +55,6 @@ contact_kernel::BodyMotion motion_of(const DynamicBody& body, double shares) {
   motion.largest_inverse_inertia = body.largest_inverse_inertia();
   motion.contacts = shares;
   return motion;
-}
-
-int count_marked(std::span<const ContactBlock> contacts, const double (ContactBlock::*mark)[kBlockSize]) {
-  int count = 0;
-  for (const ContactBlock& block : contacts) {
-    const double* marks = block.*mark;
-    count += static_cast<int>(std::count_if(marks, marks + block.count, [](double m) { return m > 0; }));
-  }
-  return count;
-}
-
-// Power as found by the force kernel. Valid only if no contact was stopped.
-contact_kernel::ContactPower stored_power(std::span<const ContactBlock> contacts) {
-  contact_kernel::ContactPower power;
-  for (const ContactBlock& block : contacts) {
-    for (int lane = 0; lane < block.count; ++lane) {
-      power += contact_kernel::ContactPower{block.damping_power[lane], block.friction_power[lane]};
-    }
-  }
-  return power;
-}
-
-// Unused lanes read the data of the first contact and exert no force.
-void fill_idle_lanes(ContactBlock& block) {
-  for (int lane = block.count; lane < kBlockSize; ++lane) {
-    for (int corner = 0; corner < 4; ++corner) {
-      block.weight[corner][lane] = 0;
-      block.coordinate[corner][lane] = block.coordinate[corner][0];
-      block.place[corner][lane] = block.place[corner][0];
-    }
-    for (int axis = 0; axis < 3; ++axis) {
-      block.point[axis][lane] = block.point[axis][0];
-      block.normal[axis][lane] = 0;
-    }
-    block.penetration[lane] = block.stiffness[lane] = block.damping[lane] = block.deepest[lane] = 0;
-    block.share[lane] = 0;
-  }
 }
 
 }  // namespace
@@ -168,19 +132,24 @@ ElementWeights ContactSolver::weights_at(const CordTouch& touch, double length) 
 
 void ContactSolver::note_depth(std::int32_t body, double body_mass, const CordTouch& touch) {
   deepest_penetration_ = std::max(deepest_penetration_, touch.penetration);
-  const double part = touch.penetration / model_.radius_of(touch.element);
+  const double radius = partners_[static_cast<std::size_t>(body)].search.radius_of(touch.element);
+  constexpr double kRounding = 1 - 1e-12;
+  if (touch.penetration <= kRounding * deepest_part_.part * radius) return;  // saves most divisions
+  const double part = touch.penetration / radius;
   if (part <= deepest_part_.part) return;
   deepest_part_ = {part, touch.element, body, law_of(touch, body, body_mass).softening};
 }
 
 void ContactSolver::add_contact(std::int32_t body, double body_mass, const CordTouch& touch, double length) {
   Partner& partner = partners_[static_cast<std::size_t>(body)];
-  if (partner.first == contacts_.size() || contacts_.back().count == kBlockSize) {
-    contacts_.emplace_back();
-    contacts_.back().body = body;
-  }
-  ContactBlock& block = contacts_.back();
-  const int lane = block.count++;
+  const auto is_for_touch = [&](const ContactBlock& open) {
+    return open.first_part == touch.part && open.first_place == touch.first_place;
+  };
+  ContactBlock& block =
+      *std::find_if(contacts_.begin() + static_cast<std::ptrdiff_t>(first_open_), contacts_.end(), is_for_touch);
+  const int lane = touch.first_element % kBlockSize;
+  block.used |= 1U << lane;
+  places_.push_back(static_cast<std::int32_t>(&block - contacts_.data()) * kBlockSize + lane);
   const ElementWeights weights = weights_at(touch, length);
   const ElementIndices indices = polyline_.indices(touch.element);
   for (std::size_t corner = 0; corner < 4; ++corner) {
@@ -243,26 +212,35 @@ void ContactSolver::find_contacts(std::int32_t body, const CoordinateVectors& co
                                   const DynamicBody& dynamic, double cord_speed, double dt) {
   Partner& partner = partners_[static_cast<std::size_t>(body)];
   partner.first = partner.last = contacts_.size();
+  partner.first_place = partner.last_place = places_.size();
   partner.shares = 0;
   if (!is_sound(Eigen::AlignedBox3d(dynamic.centre()))) return;
   partner.search.find(coordinates, batch, dynamic, way_ahead(body, dynamic, cord_speed, dt), touches_);
-  for (const CordTouch& touch : touches_) {
-    const double length = batch.block(touch.element / kBlockSize).length[touch.element % kBlockSize];
-    if (touch.penetration > 0) {
-      note_depth(body, dynamic.least_mass(), touch);
-    } else if (!hits_within_step(touch, body, length, velocities, dynamic, dt)) {
-      continue;
+  const auto length_of = [&](const CordTouch& touch) {
+    return batch.block(touch.element / kBlockSize).length[touch.element % kBlockSize];
+  };
+  std::erase_if(touches_, [&](const CordTouch& touch) {
+    return !(touch.penetration > 0) && !hits_within_step(touch, body, length_of(touch), velocities, dynamic, dt);
+  });
+  const auto elements_of = [](const CordTouch& touch) { return touch.first_element / kBlockSize; };
+  for (auto first = touches_.begin(); first != touches_.end();) {
+    const auto last =
+        std::find_if(first, touches_.end(), [&](const CordTouch& t) { return elements_of(t) != elements_of(*first); });
+    first_open_ = open_blocks({first, last}, body, contacts_);
+    for (; first != last; ++first) {
+      if (first->penetration > 0) note_depth(body, dynamic.least_mass(), *first);
+      add_contact(body, dynamic.least_mass(), *first, length_of(*first));
     }
-    add_contact(body, dynamic.least_mass(), touch, length);
   }
   partner.last = contacts_.size();
+  partner.last_place = places_.size();
   partner.offsets.keep_only(touches_);
 }
 
 template <typename Function>
 void ContactSolver::for_each_contact(const Function& function) const {
-  for (const ContactBlock& block : contacts_) {
-    for (int lane = 0; lane < block.count; ++lane) function(block, lane);
+  for (const std::int32_t place : places_) {
+    function(contacts_[static_cast<std::size_t>(place / kBlockSize)], place % kBlockSize);
   }
 }
 
@@ -305,34 +283,31 @@ void ContactSolver::visit_state(const std::function<void(double&)>& visit) {
   if (step > 0) stiffness_step_ = step;
 }
 
-template <typename Function>
-void ContactSolver::for_each_corner(std::span<ContactBlock> contacts, const Function& function) {
-  for (int corner = 0; corner < 4; ++corner) {
-    for (ContactBlock& block : contacts) {
-      for (int lane = 0; lane < block.count; ++lane) function(block, lane, corner);
-    }
-  }
-}
-
-void ContactSolver::share_inertia(ContactedCoordinates& contacted) {
-  for_each_corner(contacts_, [&](ContactBlock& block, int lane, int corner) {
-    block.place[corner][lane] =
-        contacted.share(block.coordinate[corner][lane], block.share[lane] * block.weight[corner][lane]);
-  });
-  for (ContactBlock& block : contacts_) fill_idle_lanes(block);
-}
-
 void ContactSolver::find(const CoordinateVectors& coordinates, const CoordinateVectors& velocities,
                          const ElementBatch& batch, const std::vector<DynamicBody>& bodies, double cord_speed,
                          double dt, ContactedCoordinates& contacted) {
   contacts_.clear();
+  places_.clear();
   deepest_penetration_ = 0;
   deepest_part_ = {};
   if (reference_step_ == 0) set_reference_step(dt);
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     find_contacts(static_cast<std::int32_t>(b), coordinates, velocities, batch, bodies[b], cord_speed, dt);
   }
-  share_inertia(contacted);
+  find_runs(batch, contacts_);
+  share_inertia(contacts_, contacted);
+}
+
+ContactSolver::Outcome ContactSolver::outcome_of(const Partner& partner) const {
+  Outcome outcome;
+  for (const std::int32_t place : places_of(partner)) {
+    const ContactBlock& block = contacts_[static_cast<std::size_t>(place / kBlockSize)];
+    const int lane = place % kBlockSize;
+    outcome.stops += block.is_stopped[lane] > 0 ? 1 : 0;
+    outcome.unresolved += block.is_unresolved[lane] > 0 ? 1 : 0;
+    outcome.power += contact_kernel::ContactPower{block.damping_power[lane], block.friction_power[lane]};
+  }
+  return outcome;
 }
 
 void ContactSolver::add_forces(const CoordinateVectors& velocities, ContactedCoordinates& contacted,
@@ -354,28 +329,17 @@ void ContactSolver::add_forces(const CoordinateVectors& velocities, ContactedCoo
     if (partner.first == partner.last) continue;
     const std::span<ContactBlock> contacts(contacts_.data() + partner.first, partner.last - partner.first);
     force_kernels().forces(view, motion_of(bodies[b], partner.shares), contacts.data(), contacts.size());
-    unresolved_ += count_marked(contacts, &ContactBlock::is_unresolved);
-    const int stopped = count_marked(contacts, &ContactBlock::is_stopped);
-    if (stopped > 0) {
-      stops_ += stopped;
-      complete_stops(contacts, bodies[b].rigid(), partner.shares, contacted, inverse_mass, times);
+    const Outcome outcome = outcome_of(partner);
+    unresolved_ += outcome.unresolved;
+    if (outcome.stops > 0) {
+      stops_ += outcome.stops;
+      complete_stops(contacts_, places_of(partner), bodies[b].rigid(), partner.shares, contacted, inverse_mass, times);
     }
-    power_before_ += stopped > 0 ? power_of(b, velocities.rows(), bodies[b]) : stored_power(contacts);
-    for_each_corner(contacts, [&](const ContactBlock& block, int lane, int corner) {
-      applied.add(block.coordinate[corner][lane], block.weight[corner][lane] * lane_of(block.force, lane));
-    });
-    const SectorSum<Vector3d> nothing(Vector3d::Zero());
-    BodySums sums{nothing, nothing};
-    for (const ContactBlock& block : contacts) {
-      for (int lane = 0; lane < block.count; ++lane) {
-        const Vector3d force = lane_of(block.force, lane);
-        sums.force.add(block.element[lane], -force);
-        const Vector3d arm = lane_of(block.point, lane) - bodies[b].rigid().position();
-        sums.torque.add(block.element[lane], arm.cross(-force));
-      }
-    }
-    body_force_[b] = sums.force.total();
-    wrenches[b] += Wrench{body_force_[b], sums.torque.total()};
+    power_before_ += outcome.stops > 0 ? power_of(b, velocities.rows(), bodies[b]) : outcome.power;
+    add_to_coordinates(contacts, applied);
+    const Wrench on_body = force_on_body(contacts, bodies[b].rigid().position());
+    body_force_[b] = on_body.force;
+    wrenches[b] += on_body;
   }
 }
 
@@ -391,7 +355,9 @@ double ContactSolver::stored_energy() const {
 // g_2).
 double ContactSolver::fed_power(const CoordinateVectors& coordinates, const ElementBatch& batch) const {
   double power = 0;
+  if (std::ranges::none_of(contacts_, &ContactBlock::feeds)) return power;
   for_each_contact([&](const ContactBlock& block, int lane) {
+    if (!block.feeds) return;
     const std::int32_t element = block.element[lane];
     const double rate = batch.block(element / kBlockSize).length_rate[element % kBlockSize];
     if (rate == 0) return;
@@ -405,8 +371,20 @@ double ContactSolver::fed_power(const CoordinateVectors& coordinates, const Elem
 contact_kernel::ContactPower ContactSolver::power_of(std::size_t body, const CoordinateRows& velocities,
                                                      const DynamicBody& dynamic) const {
   const Partner& partner = partners_[body];
-  return force_kernels().power(velocities, motion_of(dynamic, partner.shares), contacts_.data() + partner.first,
-                               partner.last - partner.first);
+  powers_.resize(contacts_.size());
+  force_kernels().power(velocities, motion_of(dynamic, partner.shares), contacts_.data() + partner.first,
+                        partner.last - partner.first, powers_.data() + partner.first);
+  contact_kernel::ContactPower sums[kBlockSize];  // side by side, which is faster than one after the other
+  std::size_t next = 0;
+  for (const std::int32_t place : places_of(partner)) {
+    const contact_kernel::LanePowers& powers = powers_[static_cast<std::size_t>(place / kBlockSize)];
+    contact_kernel::ContactPower& sum = sums[next++ % kBlockSize];
+    sum.damping -= powers.damping[place % kBlockSize];
+    sum.friction -= powers.friction[place % kBlockSize];
+  }
+  contact_kernel::ContactPower total;
+  for (const contact_kernel::ContactPower& sum : sums) total += sum;
+  return total;
 }
 
 contact_kernel::ContactPower ContactSolver::dissipated_power(const CoordinateVectors& velocities,

@@ -26,7 +26,6 @@
 #include "engine/dynamics/contact/contact_search.h"
 #include "engine/dynamics/contact/contacted_coordinates.h"
 #include "engine/dynamics/contact/spring_offsets.h"
-#include "engine/math/sector_sum.h"
 #include "engine/model/model.h"
 
 namespace netpocket {
@@ -109,16 +108,13 @@ class ContactSolver {
     ContactSearch search;
     // By part, then by element and whether the place is at the end of its cord. Zero stiffness: not yet needed.
     std::vector<std::vector<Law>> laws;
-    std::size_t first = 0, last = 0;  // range in contacts_
-    double shares = 0;                // sum of its contacts' shares
+    std::size_t first = 0, last = 0;              // range in contacts_
+    std::size_t first_place = 0, last_place = 0;  // range in places_
+    double shares = 0;                            // sum of its contacts' shares
     SpringOffsets offsets;
   };
   contact_kernel::ContactPower power_of(std::size_t body, const CoordinateRows& velocities,
                                         const DynamicBody& dynamic) const;
-  struct BodySums {
-    SectorSum<Eigen::Vector3d> force, torque;  // N; N m about the body's centre of mass
-  };
-
   void find_contacts(std::int32_t body, const CoordinateVectors& coordinates, const CoordinateVectors& velocities,
                      const ElementBatch& batch, const DynamicBody& dynamic, double cord_speed, double dt);
   double stiffness_step_for(double dt) const;
@@ -132,13 +128,18 @@ class ContactSolver {
   ElementWeights weights_at(const CordTouch& touch, double length) const;
   Law make_law(const CordTouch& touch, std::int32_t body, double body_mass) const;
   const Law& law_of(const CordTouch& touch, std::int32_t body, double body_mass);
-  void share_inertia(ContactedCoordinates& contacted);
+  // What the last forces of a body's contacts came to.
+  struct Outcome {
+    int stops = 0, unresolved = 0;
+    contact_kernel::ContactPower power;  // valid only if no contact was stopped
+  };
+  Outcome outcome_of(const Partner& partner) const;
+  // Calls function(block, lane) in the order in which the contacts were found.
   template <typename Function>
   void for_each_contact(const Function& function) const;
-  // Calls function(block, lane, corner), all contacts of a corner before those of the next. So the order at any one
-  // coordinate is the same in every sector.
-  template <typename Function>
-  void for_each_corner(std::span<ContactBlock> contacts, const Function& function);
+  std::span<const std::int32_t> places_of(const Partner& partner) const {
+    return {places_.data() + partner.first_place, partner.last_place - partner.first_place};
+  }
 
   const Model& model_;
   CordPolyline polyline_;
@@ -149,6 +150,9 @@ class ContactSolver {
   std::vector<Partner> partners_;   // by body
   std::vector<CordTouch> touches_;  // of one body
   AlignedVector<ContactBlock> contacts_;  // ordered by body
+  std::vector<std::int32_t> places_;      // of the contacts in the order found: block * kBlockSize + lane
+  std::size_t first_open_ = 0;            // first block that open_blocks has made last
+  mutable AlignedVector<contact_kernel::LanePowers> powers_;
   std::vector<Eigen::Vector3d> body_force_;
   double deepest_penetration_ = 0;
   ContactDepth deepest_part_;

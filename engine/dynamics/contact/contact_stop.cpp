@@ -13,9 +13,11 @@ using Eigen::Vector3d;
 
 class ContactStop {
  public:
-  ContactStop(std::span<ContactBlock> contacts, const RigidBody& body, double shares, ContactedCoordinates& contacted,
-              std::span<const double> inverse_mass, const StepTimes& times)
+  ContactStop(std::span<ContactBlock> contacts, std::span<const std::int32_t> places, const RigidBody& body,
+              double shares, ContactedCoordinates& contacted, std::span<const double> inverse_mass,
+              const StepTimes& times)
       : contacts_(contacts),
+        places_(places),
         body_(body),
         shares_(shares),
         contacted_(contacted),
@@ -42,8 +44,8 @@ class ContactStop {
   }
   template <typename Function>
   void for_each(const Function& function) {
-    for (ContactBlock& block : contacts_) {
-      for (int lane = 0; lane < block.count; ++lane) function(block, lane);
+    for (const std::int32_t place : places_) {
+      function(contacts_[static_cast<std::size_t>(place / kBlockSize)], place % kBlockSize);
     }
   }
 
@@ -99,6 +101,7 @@ class ContactStop {
   }
 
   std::span<ContactBlock> contacts_;
+  std::span<const std::int32_t> places_;
   RigidBody body_;
   double shares_;
   ContactedCoordinates& contacted_;
@@ -109,9 +112,10 @@ class ContactStop {
 
 }  // namespace
 
-void complete_stops(std::span<ContactBlock> contacts, const RigidBody& body, double shares,
-                    ContactedCoordinates& contacted, std::span<const double> inverse_mass, const StepTimes& times) {
-  ContactStop(contacts, body, shares, contacted, inverse_mass, times).complete();
+void complete_stops(std::span<ContactBlock> contacts, std::span<const std::int32_t> places, const RigidBody& body,
+                    double shares, ContactedCoordinates& contacted, std::span<const double> inverse_mass,
+                    const StepTimes& times) {
+  ContactStop(contacts, places, body, shares, contacted, inverse_mass, times).complete();
 }
 
 }  // namespace netpocket

@@ -15,8 +15,10 @@ namespace netpocket {
 // through a thin wall. So forces are added from the velocities that they lead to, until no approach remains. The row
 // sums of mass splitting (contacted_coordinates.h) make this converge.
 //
-// `shares`: sum of the shares of all contacts with the body, which share its inertia.
-void complete_stops(std::span<ContactBlock> contacts, const RigidBody& body, double shares,
-                    ContactedCoordinates& contacted, std::span<const double> inverse_mass, const StepTimes& times);
+// `places`: of the body's contacts, in order: index of the block in `contacts` * kBlockSize + lane. `shares`: sum of
+// the shares of all contacts with the body, which share its inertia.
+void complete_stops(std::span<ContactBlock> contacts, std::span<const std::int32_t> places, const RigidBody& body,
+                    double shares, ContactedCoordinates& contacted, std::span<const double> inverse_mass,
+                    const StepTimes& times);
 
 }  // namespace netpocket

@@ -30,21 +30,28 @@ class ContactedCoordinates {
     blocks_.clear();
     shared_weight_.clear();
   }
-  // Records that a contact acts on `coordinate` with this weight. Returns the index of its block in the rows below.
-  std::int32_t share(std::int32_t coordinate, double weight) {
-    const auto s = static_cast<std::uint32_t>(coordinate);
-    std::int32_t& place = place_[s / kBlockSize];
+  // Index, in the rows below, of the block of a coordinate on which a contact acts.
+  std::int32_t place_for(std::int32_t coordinate) {
+    const auto block = static_cast<std::uint32_t>(coordinate) / kBlockSize;
+    std::int32_t& place = place_[block];
     if (place < 0) {
       place = static_cast<std::int32_t>(blocks_.size());
-      blocks_.push_back(static_cast<std::int32_t>(s / kBlockSize));
+      blocks_.push_back(static_cast<std::int32_t>(block));
       shared_weight_.resize(shared_weight_.size() + kBlockSize, 0.0);
     }
-    shared_weight_[static_cast<std::size_t>(place) * kBlockSize + s % kBlockSize] += std::abs(weight);
+    return place;
+  }
+  // Records that a contact acts on `coordinate` with this weight. Returns the index of its block in the rows below.
+  std::int32_t share(std::int32_t coordinate, double weight) {
+    const std::int32_t place = place_for(coordinate);
+    shared_weight_[static_cast<std::size_t>(place) * kBlockSize +
+                   static_cast<std::uint32_t>(coordinate) % kBlockSize] += std::abs(weight);
     return place;
   }
   // By index of a block: rows x, y, z of predicted velocities, and the sums of |weight|.
   const double* predicted_rows() const { return predicted_.data(); }
   const double* shared_weights() const { return shared_weight_.data(); }
+  double* shared_weights() { return shared_weight_.data(); }
 
   // Predicts the velocities after a kick of `dt` (s) by all forces but contact. To be called after all share() of the
   // step. `sum_forces(blocks, rows)` fills the rows of the given blocks of coordinates with forces.
@@ -58,8 +65,12 @@ class ContactedCoordinates {
       const auto block = static_cast<std::size_t>(blocks_[i]);
       const double* velocity = velocities.rows().first + block * kRows;
       const double* inverse = inverse_mass.data() + block * kBlockSize;
-      double* row = predicted_.data() + i * kRows;
-      for (std::size_t k = 0; k < kRows; ++k) row[k] = velocity[k] + (dt * inverse[k % kBlockSize]) * row[k];
+      using Row = Eigen::Array<double, kBlockSize, 1>;
+      const Row gain = dt * Eigen::Map<const Row>(inverse);
+      for (std::size_t k = 0; k < kRows; k += kBlockSize) {
+        Eigen::Map<Row, Eigen::Aligned64> row(predicted_.data() + i * kRows + k);
+        row = Eigen::Map<const Row, Eigen::Aligned64>(velocity + k) + gain * row;
+      }
     }
   }
   // Predicted velocity of a coordinate on which a contact acts.
@@ -95,10 +106,10 @@ class ContactedCoordinates {
     return static_cast<std::size_t>(place_[s / kBlockSize]) * stride + s % kBlockSize;
   }
 
-  std::vector<std::int32_t> place_;    // by block of coordinates: index into blocks_, or -1
-  std::vector<std::int32_t> blocks_;   // blocks of coordinates on which contacts act
-  std::vector<double> shared_weight_;  // by coordinate of blocks_: sum of |weight|
-  AlignedVector<double> predicted_;    // by block of blocks_: rows x, y, z of velocities
+  std::vector<std::int32_t> place_;      // by block of coordinates: index into blocks_, or -1
+  std::vector<std::int32_t> blocks_;     // blocks of coordinates on which contacts act
+  AlignedVector<double> shared_weight_;  // by coordinate of blocks_: sum of |weight|
+  AlignedVector<double> predicted_;      // by block of blocks_: rows x, y, z of velocities
 };
 
 }  // namespace netpocket

@@ -49,12 +49,21 @@ double StepChoice::length_of(std::size_t rope) const {
   return system_.rope_motion(static_cast<std::int32_t>(rope)).length;
 }
 
+// Exponent of the power of kClassRatio to which a length is rounded down. Ropes of equal lengths are asked about one
+// after the other.
+int StepChoice::class_of(double length) {
+  if (length == classified_length_) return length_class_;
+  static const double ratio = logarithm(kClassRatio);
+  classified_length_ = length;
+  return length_class_ = static_cast<int>(std::floor(logarithm(length) / ratio));
+}
+
 // The length is rounded down to a power of 1.01. So there is seldom anything to compute, and the result does not depend
 // on earlier lengths.
 void StepChoice::find_rope_step(std::size_t rope, double length) {
   const std::vector<std::int32_t>& elements = model_.ropes[rope].elements;
   const double of_element = length / static_cast<double>(elements.size());
-  const int length_class = static_cast<int>(std::floor(logarithm(of_element) / logarithm(kClassRatio)));
+  const int length_class = class_of(of_element);
   RopeBound& bound = ropes_[rope];
   if (length_class == std::exchange(bound.length_class, length_class)) return;
   const CableSection& section = model_.material_of(elements.front()).section;

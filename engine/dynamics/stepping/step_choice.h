@@ -74,6 +74,7 @@ class StepChoice {
   double length_of(std::size_t rope) const;
   bool lengths_have_changed() const;
   bool is_shorter_than_expected() const;
+  int class_of(double length);
   void find_rope_step(std::size_t rope, double length);
   StableStep straight_bound() const;
   std::string rope_limit(std::int32_t rope) const;
@@ -87,6 +88,8 @@ class StepChoice {
   std::vector<RopeBound> ropes_;                                // by rope of the model
   double rope_step_ = std::numeric_limits<double>::infinity();  // s, least step of ropes_
   std::int32_t limiting_rope_ = 0;                              // the rope with that step
+  double classified_length_ = 0;                                // m, last argument of class_of
+  int length_class_ = 0;                                        // its class
   double last_factor_ = 1;                                      // bend_factor used by the last choice
   double smallest_factor_ = 1, largest_factor_ = 1;             // of bend_factor since the last choice
   bool is_monitored_ = false;                                   // whether bend_factor is computed after each step

@@ -277,8 +277,9 @@ std::vector<double> updated(Batch state, update_kernel::Kernel kernel, const Ass
   std::vector<double> values;
   double squares[2] = {};
   for (std::int32_t coordinate = 0; coordinate < state.coordinates.size(); ++coordinate) {
-    double& largest = squares[coordinate / kBlockSize < view.gradient_block ? 0 : 1];
-    largest = std::max(largest, 0.25 * state.velocities.get(coordinate).squaredNorm());
+    const bool is_position = coordinate / kBlockSize < view.gradient_block;
+    double& largest = squares[is_position ? 0 : 1];
+    largest = std::max(largest, (is_position ? 1 : 0.25) * state.velocities.get(coordinate).squaredNorm());
   }
   EXPECT_NEAR(fastest.position, squares[0], 1e-12 * squares[0]);
   EXPECT_NEAR(fastest.gradient, squares[1], 1e-12 * squares[1]);

@@ -56,7 +56,7 @@ struct Contacts {
       velocities.set(coordinate, random.vector(1));
       inverse_mass.push_back(random.uniform(1, 100));
     }
-    block.count = kBlockSize;
+    block.used = (1U << kBlockSize) - 1;
     for (int lane = 0; lane < kBlockSize; ++lane) {
       const Vector3d normal = random.vector(1).normalized(), point = random.vector(2);
       for (int axis = 0; axis < 3; ++axis) {
@@ -156,7 +156,12 @@ TEST_F(VerificationKernels, ContactForces) {
   for_each_instruction_set<contact_kernel::PowerKernel>(
       contact_kernel::baseline::power, contact_kernel::avx2::power, contact_kernel::avx512::power,
       [&](const std::string& name, contact_kernel::PowerKernel kernel) {
-        const contact_kernel::ContactPower here = kernel(contacts.velocities.rows(), contacts.body, &first, 1);
+        contact_kernel::LanePowers powers;
+        kernel(contacts.velocities.rows(), contacts.body, &first, 1, &powers);
+        contact_kernel::ContactPower here;
+        for (int lane = 0; lane < kBlockSize; ++lane) {
+          here += contact_kernel::ContactPower{-powers.damping[lane], -powers.friction[lane]};
+        }
         if (name == "baseline") power = here;
         EXPECT_EQ(here.damping, power.damping) << name;
         EXPECT_EQ(here.friction, power.friction) << name;
@@ -171,6 +176,97 @@ TEST_F(VerificationKernels, ContactForces) {
   }
   EXPECT_NEAR(power.friction, by_friction, 1e-12 * largest);
   EXPECT_NEAR(power.damping + power.friction + of_springs, all, 1e-12 * largest);
+}
+
+// Blocks that read whole blocks of coordinates give the bits of those that gather.
+TEST_F(VerificationKernels, ContactsInTheLanesOfTheirElements) {
+  Contacts contacts(*this);
+  ContactBlock& block = contacts.block;
+  contacts.contacted.clear();
+  for (int corner = 0; corner < 4; ++corner) {
+    block.base[corner] = 16 * corner;
+    block.rotation[corner] = corner;
+    for (int lane = 0; lane < kBlockSize; ++lane) {
+      block.coordinate[corner][lane] = 16 * corner + (lane + corner) % kBlockSize;
+      block.place[corner][lane] = contacts.contacted.place_for(block.coordinate[corner][lane]);
+    }
+  }
+  std::vector<double> by_hand(4 * kBlockSize, 0.0);
+  for (int corner = 0; corner < 4; ++corner) {
+    for (int lane = 0; lane < kBlockSize; ++lane) {
+      by_hand[static_cast<std::size_t>(block.place[corner][lane] * kBlockSize + (lane + corner) % kBlockSize)] +=
+          std::abs(block.share[lane] * block.weight[corner][lane]);
+    }
+  }
+  for (const bool is_regular : {false, true}) {
+    block.is_regular = is_regular;
+    for_each_instruction_set<contact_kernel::ShareKernel>(
+        contact_kernel::baseline::share, contact_kernel::avx2::share, contact_kernel::avx512::share,
+        [&](const std::string& name, contact_kernel::ShareKernel kernel) {
+          AlignedVector<double> shared(4 * kBlockSize, 0.0);
+          kernel(&block, 1, shared.data());
+          EXPECT_TRUE(std::ranges::equal(shared, by_hand)) << name;
+        });
+  }
+  block.is_regular = false;
+  for (int corner = 0; corner < 4; ++corner) {
+    for (int lane = 0; lane < kBlockSize; ++lane) {
+      contacts.contacted.share(block.coordinate[corner][lane], block.share[lane] * block.weight[corner][lane]);
+    }
+  }
+  contacts.contacted.predict(contacts.velocities, contacts.inverse_mass, contacts.dt, [&](auto blocks, double* rows) {
+    std::generate_n(rows, blocks.size() * kVectorRows * kBlockSize, [&] { return uniform(-20, 20); });
+  });
+  const AlignedVector<double> inverse_mass(contacts.inverse_mass.begin(), contacts.inverse_mass.end());
+  contact_kernel::ForceView view = contacts.view();
+  view.inverse_mass = inverse_mass.data();
+  ContactBlock gathered = block;
+  contact_kernel::baseline::forces(view, contacts.body, &gathered, 1);
+  Eigen::Vector3d force = Eigen::Vector3d::Zero(), torque = force;
+  CoordinateVectors expected(kElementCoordinates);
+  for (int lane = 0; lane < kBlockSize; ++lane) {
+    const Vector3d on_cord = lane_of(gathered.force, lane);
+    force -= on_cord;
+    torque -= (lane_of(block.point, lane) - Vector3d(contacts.body.position)).cross(on_cord);
+    for (int corner = 0; corner < 4; ++corner) {
+      expected.add(block.coordinate[corner][lane], block.weight[corner][lane] * on_cord);
+    }
+  }
+  EXPECT_GT(force.norm(), 1);
+  for_each_instruction_set<contact_kernel::ForceKernel>(
+      contact_kernel::baseline::forces, contact_kernel::avx2::forces, contact_kernel::avx512::forces,
+      [&](const std::string& name, contact_kernel::ForceKernel kernel) {
+        ContactBlock regular = block;
+        regular.is_regular = true;
+        kernel(view, contacts.body, &regular, 1);
+        for (int lane = 0; lane < kBlockSize; ++lane) {
+          EXPECT_EQ(lane_of(regular.force, lane), lane_of(gathered.force, lane)) << name;
+          EXPECT_EQ(regular.friction_power[lane], gathered.friction_power[lane]) << name;
+        }
+      });
+  for (const bool is_regular : {false, true}) {
+    gathered.is_regular = is_regular;
+    for_each_instruction_set<contact_kernel::ApplyKernel>(
+        contact_kernel::baseline::apply, contact_kernel::avx2::apply, contact_kernel::avx512::apply,
+        [&](const std::string& name, contact_kernel::ApplyKernel kernel) {
+          CoordinateVectors applied(kElementCoordinates);
+          kernel(&gathered, 1, applied.data());
+          for (int i = 0; i < kElementCoordinates; ++i) EXPECT_EQ(applied.get(i), expected.get(i)) << name << i;
+        });
+  }
+  for_each_instruction_set<contact_kernel::BodyKernel>(
+      contact_kernel::baseline::forces_on_body, contact_kernel::avx2::forces_on_body,
+      contact_kernel::avx512::forces_on_body, [&](const std::string& name, contact_kernel::BodyKernel kernel) {
+        contact_kernel::BodyForces sums;
+        kernel(&gathered, 1, contacts.body.position, sums);
+        Vector3d total = Vector3d::Zero(), turning = total;
+        for (int lane = 0; lane < kBlockSize; ++lane) {
+          total += lane_of(sums.force, lane);
+          turning += lane_of(sums.torque, lane);
+        }
+        EXPECT_LT((total - force).norm(), 1e-12 * force.norm()) << name;
+        EXPECT_LT((turning - torque).norm(), 1e-12 * torque.norm()) << name;
+      });
 }
 
 TEST_F(VerificationKernels, ContactPoints) {
