@@ -205,6 +205,7 @@ NETPOCKET_INLINE Piece make_piece(const SimdVector& start, const SimdVector& end
   const SimdVector arm = start + piece.nearest * piece.along;
   const SimdDouble distance = square_root(dot(arm, arm));
   piece.depth = thickness - distance;
+  if (!is_any_positive(piece.depth)) return piece;  // its slope is not needed
   const SimdDouble slope = -dot(arm, piece.along) / distance;
   piece.slope = way > zero && way < one ? zero : slope;
   return piece;
