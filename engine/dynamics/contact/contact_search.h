@@ -35,6 +35,8 @@ namespace netpocket {
 
 // A place where a cord touches the body.
 struct CordTouch {
+  CordTouch() {}  // not defaulted: with that, all members would first be set to zero
+
   std::int32_t element = 0;
   std::int32_t part = 0;     // index into parts()
   std::int32_t holder = 0;   // index of the holder, less than holder_count()
