@@ -36,8 +36,8 @@ Json depth_json(const std::optional<DeepestContact>& deepest) {
 }
 
 // Null when they were not recorded.
-Json safeguards_json(const Recording& recording) {
-  const auto counts = safeguard_counts(recording);
+Json safeguards_json(const RunData& run) {
+  const auto counts = safeguard_counts(run);
   if (counts.empty()) return nullptr;
   Json json = Json::object();
   for (const SafeguardCount& count : counts) json[std::string(count.name)] = count.value;
@@ -65,17 +65,17 @@ std::string effort(const RunStatistics& s) {
 
 }  // namespace
 
-Json summary_json(const Recording& recording) {
-  const RunSummary summary = summarize(recording);
-  const RunStatistics& statistics = recording.statistics();
-  const RunOrigin& origin = recording.origin();
+Json summary_json(const RunData& run) {
+  const RunSummary summary = summarize(run);
+  const RunStatistics& statistics = run.statistics();
+  const RunOrigin& origin = run.origin();
   Json peak = vector_json(summary.peak_force);
   peak["time_y"] = summary.peak_time_y;
   return {{"scenario", utf8(origin.scenario_name)},
           {"version", utf8(origin.netpocket_version)},
           {"commit", utf8(origin.commit)},
-          {"reason", to_string(recording.status().reason)},
-          {"message", utf8(recording.status().message)},
+          {"reason", to_string(run.status().reason)},
+          {"message", utf8(run.status().message)},
           {"simulated_seconds", statistics.simulated_seconds},
           {"wall_seconds", statistics.wall_seconds},
           {"cpu_seconds", statistics.cpu_seconds},
@@ -84,7 +84,7 @@ Json summary_json(const Recording& recording) {
           {"steps", statistics.steps},
           {"time_step", statistics.time_step},
           {"evaluation", utf8(statistics.evaluation)},
-          {"frames", recording.frame_count()},
+          {"frames", run.frame_count()},
           {"closing_end", phase_end(origin.phases, kClosing)},
           {"captured", judgement(summary.captured)},
           {"capture", to_string(summary.captured)},
@@ -95,9 +95,9 @@ Json summary_json(const Recording& recording) {
           {"energy_error_joules", summary.energy_error_joules},
           {"energy_put_in", summary.energy_put_in},
           {"averaging_window", summary.averaging_window},
-          {"penetration", depth_json(deepest_penetration(recording))},
-          {"overlap", depth_json(deepest_overlap(recording))},
-          {"safeguards", safeguards_json(recording)}};
+          {"penetration", depth_json(deepest_penetration(run))},
+          {"overlap", depth_json(deepest_overlap(run))},
+          {"safeguards", safeguards_json(run)}};
 }
 
 std::string summary_text(const Recording& recording) {

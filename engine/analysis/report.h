@@ -16,7 +16,7 @@ namespace netpocket {
 // y, z}, energy_error (fraction of the energy put in), energy_error_joules, energy_put_in, averaging_window,
 // penetration and overlap (null, or depth, part, time, cord, partner, stiffness: soundness.h), safeguards (null, or how
 // often each has acted). SI units.
-nlohmann::ordered_json summary_json(const Recording& recording);
+nlohmann::ordered_json summary_json(const RunData& run);
 std::string summary_text(const Recording& recording);
 
 // {"findings": [{"id", "text", "rule", "cases": [{"name", "value", "holds", "verdict", "measures"}]}]}. `holds`: true,

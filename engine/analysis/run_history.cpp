@@ -143,16 +143,16 @@ Eigen::Vector3d RunHistory::excursion(Body body, FrameRange range, std::size_t o
 }
 
 std::string RunHistory::divergence() const {
-  const RunStatus& status = recording_->status();
+  const RunStatus& status = data_->status();
   if (status.reason != RunReason::diverged) return "";
   return fmt::format("the run diverged at t = {:.4g} s", status.time);
 }
 
 Capture RunHistory::capture_by_channel() const {
-  const auto index = recording_->channels()->find("captured");
+  const auto index = data_->channels()->find("captured");
   if (!index) return {Verdict::unknown, "this kind of capture system has no channel that says so"};
   if (times().empty() || end() < kHoldingTime) return {Verdict::unknown, "the run is shorter than 1 s"};
-  const std::vector<double>& captured = recording_->channel(*index);
+  const std::vector<double>& captured = data_->channel(*index);
   for (std::size_t i = frames_from(end() - kHoldingTime).first; i < times().size(); ++i) {
     if (captured[i] != 1) return {Verdict::no, fmt::format("the target is not held at t = {:.4g} s", times()[i])};
   }
@@ -161,7 +161,7 @@ Capture RunHistory::capture_by_channel() const {
 
 Capture RunHistory::capture() const {
   if (const std::string diverged = divergence(); !diverged.empty()) return {Verdict::diverged, diverged};
-  if (!recording_->has_channel(Channel::target_inside)) return capture_by_channel();
+  if (!data_->has_channel(Channel::target_inside)) return capture_by_channel();
   if (std::isnan(closing_end())) return {Verdict::unknown, "the recording does not say when the closing ends"};
   const auto& inside = channel(Channel::target_inside);
   const auto& length = channel(Channel::closing_length);

@@ -1,5 +1,5 @@
 #pragma once
-// Phases, forces and motion of a recorded run, from its channels. Times in s, forces in N, lengths in m.
+// Phases, forces and motion of a run, from its channels. Times in s, forces in N, lengths in m.
 // A recorded force is the mean over the output interval that ends at its frame.
 
 #include <Eigen/Core>
@@ -42,16 +42,17 @@ struct Capture {
 
 class RunHistory {
  public:
-  // The recording must outlive the history.
-  explicit RunHistory(const Recording& recording) : RunHistory(recording, recording.origin().scenario_name) {}
-  RunHistory(const Recording& recording, std::string name) : recording_(&recording), name_(std::move(name)) {}
+  // The data must outlive the history.
+  explicit RunHistory(const RunData& data) : data_(&data), name_(data.origin().scenario_name) {}
+  RunHistory(const Recording& recording, std::string name)
+      : data_(&recording), recording_(&recording), name_(std::move(name)) {}
 
   const std::string& name() const { return name_; }
-  double closing_end() const { return phase_end(recording_->origin().phases, kClosing); }
-  double towing_start() const { return phase_begin(recording_->origin().phases, kTowing); }
+  double closing_end() const { return phase_end(data_->origin().phases, kClosing); }
+  double towing_start() const { return phase_begin(data_->origin().phases, kTowing); }
   double end() const { return times().empty() ? 0 : times().back(); }
-  const std::vector<double>& times() const { return recording_->times(); }
-  const std::vector<double>& channel(Channel c) const { return recording_->channel(c); }
+  const std::vector<double>& times() const { return data_->times(); }
+  const std::vector<double>& channel(Channel c) const { return data_->channel(c); }
 
   // Frames with from < t <= to.
   FrameRange frames(double from, double to) const;
@@ -88,6 +89,7 @@ class RunHistory {
   // "diverged at t = 3.2 s", or empty.
   std::string divergence() const;
 
+  // Of a history that was made from a recording, for what needs its frames.
   const Recording& recording() const { return *recording_; }
   // s, length of the output interval that ends at the frame. The recorded force is the mean over it.
   double interval(std::size_t frame) const;
@@ -95,7 +97,8 @@ class RunHistory {
  private:
   Capture capture_by_channel() const;
 
-  const Recording* recording_;
+  const RunData* data_;
+  const Recording* recording_ = nullptr;
   std::string name_;
 };
 

@@ -27,8 +27,8 @@ std::string energy_error_text(double joules, double put_in) {
   return fmt::format("{:.3g} J, {:.3g} % of the energy put in", joules, 100 * joules / put_in);
 }
 
-RunSummary summarize(const Recording& recording) {
-  const RunHistory run(recording);
+RunSummary summarize(const RunData& data) {
+  const RunHistory run(data);
   const Peak peak_y = run.peak(Channel::contact_fy, run.all());
   RunSummary summary;
   summary.captured = run.capture().verdict;

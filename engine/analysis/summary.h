@@ -11,6 +11,7 @@
 namespace netpocket {
 
 class Recording;
+class RunData;
 
 struct RunSummary {
   Verdict captured = Verdict::unknown;       // yes: the target is inside the closed pocket at the end and never left it
@@ -24,7 +25,7 @@ struct RunSummary {
   double averaging_window = 0;               // s, length of the intervals over which recorded forces are means
 };
 
-RunSummary summarize(const Recording& recording);
+RunSummary summarize(const RunData& data);
 
 // Energy put in (J) below which no relative error is stated, as in the first moments of a run: rounding errors alone
 // would be many per cent.

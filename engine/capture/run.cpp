@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <cmath>
 
+#include "engine/capture/frame_times.h"
 #include "engine/capture/simulation.h"
 #include "engine/recording/background_recorder.h"
 #include "engine/recording/recording.h"
@@ -14,33 +14,7 @@
 namespace netpocket {
 namespace {
 
-// Tolerance, as a fraction of an output interval, for rounding errors in products and sums of times.
-constexpr double kRounding = 1e-6;
-
-// Times of the frames after the first: multiples of the output interval, and the end time.
-class FrameTimes {
- public:
-  explicit FrameTimes(const OutputParameters& output)
-      : output_(output),
-        count_(static_cast<std::int64_t>(std::ceil(output.end_time * output.frame_rate - kRounding))) {}
-
-  std::int64_t count() const { return count_; }
-  double at(std::int64_t index) const {
-    return index < count_ ? static_cast<double>(index) / output_.frame_rate : output_.end_time;
-  }
-  // Index of the first frame after a time (s).
-  std::int64_t after(double time) const {
-    return static_cast<std::int64_t>(std::floor(time * output_.frame_rate + kRounding)) + 1;
-  }
-  // Whether a frame lies at a multiple of the output interval. The last one may not.
-  bool is_whole(std::int64_t index) const {
-    return index < count_ || std::abs(output_.end_time * output_.frame_rate - static_cast<double>(count_)) < kRounding;
-  }
-
- private:
-  OutputParameters output_;
-  std::int64_t count_;
-};
+constexpr double kRounding = FrameTimes::kRounding;
 
 // Records a simulation frame by frame, from its present time.
 class RecordedRun {

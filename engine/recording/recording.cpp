@@ -283,7 +283,6 @@ const RunOrigin& Recording::origin() const { return impl_->origin; }
 const Structure& Recording::structure() const { return impl_->structure; }
 const RunStatus& Recording::status() const { return impl_->outcome.status; }
 const RunStatistics& Recording::statistics() const { return impl_->outcome.statistics; }
-std::size_t Recording::frame_count() const { return times().size(); }
 const std::vector<double>& Recording::times() const { return impl_->times(); }
 
 const std::shared_ptr<const ChannelList>& Recording::channels() const { return impl_->channel_list; }
@@ -294,8 +293,6 @@ const std::vector<double>& Recording::channel(Channel c) const {
   const auto index = impl_->channel_list->find(c);
   return index ? impl_->channels[*index] : impl_->not_recorded;
 }
-
-bool Recording::has_channel(Channel c) const { return impl_->channel_list->has(c); }
 
 // Returns the result of `read` for an existing frame.
 template <typename Read>

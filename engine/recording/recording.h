@@ -9,30 +9,27 @@
 #include <string>
 #include <vector>
 
-#include "engine/recording/recorder.h"
+#include "engine/recording/run_data.h"
 
 namespace netpocket {
 
-class Recording {
+class Recording : public RunData {
  public:
   explicit Recording(const std::string& path);
-  ~Recording();
+  ~Recording() override;
   Recording(Recording&&) noexcept;
   Recording& operator=(Recording&&) noexcept;
 
   const std::string& path() const;
-  const RunOrigin& origin() const;
-  const Structure& structure() const;
-  const RunStatus& status() const;  // reason `running` when the run was cut off
-  const RunStatistics& statistics() const;
+  const RunOrigin& origin() const override;
+  const Structure& structure() const override;
+  const RunStatus& status() const override;
+  const RunStatistics& statistics() const override;
+  const std::vector<double>& times() const override;
+  const std::shared_ptr<const ChannelList>& channels() const override;
+  const std::vector<double>& channel(std::size_t index) const override;
+  const std::vector<double>& channel(Channel c) const override;
 
-  std::size_t frame_count() const;
-  const std::vector<double>& times() const;  // s, by frame
-  // The channels of the file, in its order. The channel values of frames have the same order.
-  const std::shared_ptr<const ChannelList>& channels() const;
-  const std::vector<double>& channel(std::size_t index) const;  // by frame
-  const std::vector<double>& channel(Channel c) const;          // by frame; NaN when the file does not have it
-  bool has_channel(Channel c) const;
   Snapshot frame(std::size_t index) const;
   // Only the contact points of a frame. Much faster than frame().
   std::vector<ContactPoint> contacts(std::size_t index) const;

@@ -39,18 +39,17 @@ std::string rounded_text(double value) {
   return fmt::format("{:g}", digit * std::round(value / digit));
 }
 
-std::string stiffness_text(const Recording& recording, double stiffness) {
+std::string stiffness_text(const RunData& run, double stiffness) {
   if (stiffness >= 1) return "its spring is as stiff as the materials";
-  const auto& steps = recording.channel(Channel::contact_step);
+  const auto& steps = run.channel(Channel::contact_step);
   return fmt::format("its spring is {} times softer than the materials, the stiffest that steps of {:.3g} µs resolve",
                      rounded_text(1 / stiffness), 1e6 * steps.back());
 }
 
-std::string depth_text(const Recording& recording, const DeepestContact& deepest, const char* thickness,
-                       const char* where) {
+std::string depth_text(const RunData& run, const DeepestContact& deepest, const char* thickness, const char* where) {
   return fmt::format("{:.2g} of {} at most ({:.2g} mm), at t = {:.4g} s: {} {} {}; {}", deepest.part, thickness,
                      1e3 * deepest.depth, deepest.time, deepest.cord, where, deepest.partner,
-                     stiffness_text(recording, deepest.stiffness));
+                     stiffness_text(run, deepest.stiffness));
 }
 
 constexpr std::array<std::pair<Channel, std::string_view>, 7> kSafeguards = {
@@ -64,66 +63,66 @@ constexpr std::array<std::pair<Channel, std::string_view>, 7> kSafeguards = {
 
 }  // namespace
 
-std::optional<DeepestContact> deepest_penetration(const Recording& recording) {
-  const auto frame = largest(recording.channel(Channel::penetration_part));
+std::optional<DeepestContact> deepest_penetration(const RunData& run) {
+  const auto frame = largest(run.channel(Channel::penetration_part));
   if (!frame) return std::nullopt;
-  const auto value = [&](Channel c) { return recording.channel(c)[*frame]; };
-  const Structure& structure = recording.structure();
+  const auto value = [&](Channel c) { return run.channel(c)[*frame]; };
+  const Structure& structure = run.structure();
   const double index = value(Channel::penetration_element);
   const StructureElement* element = item_at(structure.elements, index);
   const StructureBody* body = item_at(structure.bodies, value(Channel::penetration_body));
   if (element == nullptr || body == nullptr) return std::nullopt;
   const double part = value(Channel::penetration_part);
   return DeepestContact{
-      recording.times()[*frame],   part * element->radius, part, value(Channel::penetration_stiffness),
+      run.times()[*frame],         part * element->radius, part, value(Channel::penetration_stiffness),
       cord_name(structure, index), "the " + body->name};
 }
 
-std::optional<DeepestContact> deepest_overlap(const Recording& recording) {
-  const auto frame = largest(recording.channel(Channel::overlap_part));
+std::optional<DeepestContact> deepest_overlap(const RunData& run) {
+  const auto frame = largest(run.channel(Channel::overlap_part));
   if (!frame) return std::nullopt;
-  const auto value = [&](Channel c) { return recording.channel(c)[*frame]; };
-  const Structure& structure = recording.structure();
+  const auto value = [&](Channel c) { return run.channel(c)[*frame]; };
+  const Structure& structure = run.structure();
   const double first = value(Channel::overlap_element), second = value(Channel::overlap_other);
   const StructureElement* one = item_at(structure.elements, first);
   const StructureElement* other = item_at(structure.elements, second);
   if (one == nullptr || other == nullptr) return std::nullopt;
   const double part = value(Channel::overlap_part);
   return DeepestContact{
-      recording.times()[*frame],         part * (one->radius + other->radius), part,
-      value(Channel::overlap_stiffness), cord_name(structure, first),          cord_name(structure, second)};
+      run.times()[*frame],         part * (one->radius + other->radius), part, value(Channel::overlap_stiffness),
+      cord_name(structure, first), cord_name(structure, second)};
 }
 
-std::string penetration_text(const Recording& recording) {
-  if (const auto deepest = deepest_penetration(recording)) {
-    return depth_text(recording, *deepest, "the cord's radius", "in");
+std::string penetration_text(const RunData& run) {
+  if (const auto deepest = deepest_penetration(run)) {
+    return depth_text(run, *deepest, "the cord's radius", "in");
   }
-  const auto frame = largest(recording.channel(Channel::penetration_max));
+  const auto frame = largest(run.channel(Channel::penetration_max));
   if (!frame) return "none";
-  const auto& depths = recording.channel(Channel::penetration_max);
-  return fmt::format("{:.2g} mm at most, at t = {:.4g} s; where was {}", 1e3 * depths[*frame],
-                     recording.times()[*frame], kNotRecorded);
+  const auto& depths = run.channel(Channel::penetration_max);
+  return fmt::format("{:.2g} mm at most, at t = {:.4g} s; where was {}", 1e3 * depths[*frame], run.times()[*frame],
+                     kNotRecorded);
 }
 
-std::string overlap_text(const Recording& recording) {
-  if (!recording.has_channel(Channel::overlap_part)) return kNotRecorded;
-  const auto deepest = deepest_overlap(recording);
-  return deepest ? depth_text(recording, *deepest, "the two radii", "and") : "none";
+std::string overlap_text(const RunData& run) {
+  if (!run.has_channel(Channel::overlap_part)) return kNotRecorded;
+  const auto deepest = deepest_overlap(run);
+  return deepest ? depth_text(run, *deepest, "the two radii", "and") : "none";
 }
 
-std::vector<SafeguardCount> safeguard_counts(const Recording& recording) {
+std::vector<SafeguardCount> safeguard_counts(const RunData& run) {
   std::vector<SafeguardCount> counts;
-  if (recording.frame_count() == 0) return counts;
+  if (run.frame_count() == 0) return counts;
   for (const auto& [channel, words] : kSafeguards) {
-    if (!recording.has_channel(channel)) return {};
-    counts.push_back({channel_info(channel).name, words, recording.channel(channel).back()});
+    if (!run.has_channel(channel)) return {};
+    counts.push_back({channel_info(channel).name, words, run.channel(channel).back()});
   }
   return counts;
 }
 
-std::string safeguards_text(const Recording& recording) {
-  const auto counts = safeguard_counts(recording);
-  if (counts.empty()) return recording.frame_count() == 0 ? "none acted" : kNotRecorded;
+std::string safeguards_text(const RunData& run) {
+  const auto counts = safeguard_counts(run);
+  if (counts.empty()) return run.frame_count() == 0 ? "none acted" : kNotRecorded;
   std::string text;
   for (const SafeguardCount& count : counts) {
     if (count.value == 0) continue;

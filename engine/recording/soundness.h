@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/recording/recording.h"
+#include "engine/recording/run_data.h"
 
 namespace netpocket {
 
@@ -21,12 +21,12 @@ struct DeepestContact {
 };
 
 // Nothing when there was no contact, or when it was not recorded.
-std::optional<DeepestContact> deepest_penetration(const Recording& recording);  // of a cord into a body
-std::optional<DeepestContact> deepest_overlap(const Recording& recording);      // of two cords
+std::optional<DeepestContact> deepest_penetration(const RunData& run);  // of a cord into a body
+std::optional<DeepestContact> deepest_overlap(const RunData& run);      // of two cords
 
 // Depth, place, time and stiffness of the contact in one sentence, or "none".
-std::string penetration_text(const Recording& recording);
-std::string overlap_text(const Recording& recording);
+std::string penetration_text(const RunData& run);
+std::string overlap_text(const RunData& run);
 
 struct SafeguardCount {
   std::string_view name;   // of the channel
@@ -35,8 +35,8 @@ struct SafeguardCount {
 };
 
 // Counts at the end of the run; empty when they were not recorded.
-std::vector<SafeguardCount> safeguard_counts(const Recording& recording);
+std::vector<SafeguardCount> safeguard_counts(const RunData& run);
 // Safeguards that have acted, such as "steps shortened 120, overlaps parted 7", or that none has.
-std::string safeguards_text(const Recording& recording);
+std::string safeguards_text(const RunData& run);
 
 }  // namespace netpocket

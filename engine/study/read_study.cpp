@@ -5,55 +5,26 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <optional>
 #include <set>
-#include <sstream>
 
 #include "engine/base/file_kind.h"
+#include "engine/sampling/design.h"
 #include "engine/scenario/parameter_text.h"
 #include "engine/scenario/parameters.h"
 #include "engine/scenario/read_scenario.h"
 #include "engine/scenario/toml_depth.h"
+#include "engine/study/read_campaign.h"
+#include "engine/study/read_uncertain.h"
+#include "engine/study/toml_values.h"
 
 namespace netpocket {
 namespace {
 
 constexpr int kDeepestKey = 8;  // dots
-
-int line_of(const toml::node& node) { return static_cast<int>(node.source().begin.line); }
-
-// A value in the form that apply_setting() takes: numbers with the fewest digits that read back, texts in quotes.
-std::string value_text(const toml::node& node) {
-  if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
-  if (const auto* array = node.as_array()) {
-    std::string text = "[";
-    for (const toml::node& element : *array) text += (text.size() > 1 ? ", " : "") + value_text(element);
-    return text + "]";
-  }
-  std::ostringstream text;
-  node.visit([&text](const auto& value) { text << value; });
-  return text.str();
-}
-
-struct Entry {
-  std::string key;
-  const toml::node* node;
-};
-
-// Entries of a table in the order of the file.
-std::vector<Entry> entries(const toml::table& table) {
-  std::vector<Entry> found;
-  for (const auto& [key, node] : table) found.push_back({std::string(key.str()), &node});
-  const auto place = [](const Entry& e) {
-    return std::pair(e.node->source().begin.line, e.node->source().begin.column);
-  };
-  std::stable_sort(found.begin(), found.end(), [&](const auto& a, const auto& b) { return place(a) < place(b); });
-  return found;
-}
 
 class StudyReader {
  public:
@@ -65,12 +36,15 @@ class StudyReader {
       add({.file = path_, .message = "is a scenario, not a study; a study names a scenario as its base"});
       return result();
     }
-    check_names(file, {"name", "description", "base", "sampling", "samples", "seed", "keep_recordings", "report", "set",
-                       "vary", "point", "variant", "ensemble", "remarks"});
+    check_names(file, {"name",       "description", "base",  "sampling",    "samples",  "seed",    "keep_recordings",
+                       "findings",   "report",      "set",   "vary",        "point",    "variant", "uncertain",
+                       "correlated", "estimate",    "until", "sensitivity", "ensemble", "remarks"});
     read_text(file, "name", study_.name);
     read_text(file, "description", study_.description);
     read_base(file);
     if (!found_.ok()) return result();
+    is_uncertain_ = file.contains("uncertain") || file.contains("correlated");
+    study_.has_findings = !is_uncertain_;
     read_sampling(file);
     if (const toml::table* set = table(file, "set")) study_.settings = read_settings(*set, study_.base);
     // The following is checked with the settings of all points applied.
@@ -82,6 +56,11 @@ class StudyReader {
       read_axes(*vary, "", scenario);
       check_repeated_axes(*vary);
     }
+    const ReportProblem report_problem = [this](const auto& node, const auto& key, const auto& message) {
+      report(node, key, message);
+    };
+    study_.uncertain = read_uncertain(file, scenario, report_problem);
+    read_campaign(file, study_, report_problem);
     if (const toml::table* ensemble = table(file, "ensemble")) read_ensemble(*ensemble, scenario);
     read_remarks(file);
     if (const toml::table* report = table(file, "report")) read_report(*report);
@@ -92,8 +71,9 @@ class StudyReader {
  private:
   static bool is_scenario(const toml::table& file) {
     const auto found = entries(file);
-    return !file.contains("base") && std::any_of(found.begin(), found.end(),
-                                                 [](const Entry& e) { return find_parameter_group(e.key) != nullptr; });
+    return !file.contains("base") && std::any_of(found.begin(), found.end(), [](const TomlEntry& e) {
+      return find_parameter_group(e.key) != nullptr;
+    });
   }
 
   StudyResult result() { return {std::move(study_), std::move(found_)}; }
@@ -144,22 +124,36 @@ class StudyReader {
   }
 
   void read_sampling(const toml::table& file) {
-    std::string sampling = "grid";
+    static const std::vector<std::pair<std::string, Sampling>> kinds = {{"grid", Sampling::grid},
+                                                                        {"halton", Sampling::halton},
+                                                                        {"monte_carlo", Sampling::monte_carlo},
+                                                                        {"latin_hypercube", Sampling::latin_hypercube},
+                                                                        {"sobol", Sampling::sobol}};
+    std::string sampling = is_uncertain_ ? "monte_carlo" : "grid";
     read_text(file, "sampling", sampling);
-    if (sampling != "grid" && sampling != "halton") {
-      report(*file.get("sampling"), "sampling", "expects \"grid\" or \"halton\", not " + netpocket::quoted(sampling));
+    const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const auto& k) { return k.first == sampling; });
+    if (kind == kinds.end()) {
+      report(*file.get("sampling"), "sampling",
+             "expects \"grid\", \"halton\", \"monte_carlo\", \"latin_hypercube\" or \"sobol\", not " +
+                 netpocket::quoted(sampling));
+    } else {
+      study_.sampling = kind->second;
     }
-    study_.sampling = sampling == "halton" ? Sampling::halton : Sampling::grid;
     const auto samples = read_whole(file, "samples", 1, static_cast<std::int64_t>(kMostStudyPoints));
-    if (study_.sampling == Sampling::halton && !samples) {
-      report(1, "samples", "says how many points sampling = \"halton\" takes");
+    const bool has_own_points = file.contains("sensitivity");
+    if (study_.sampling != Sampling::grid && !samples && !has_own_points) {
+      report(1, "samples", fmt::format("says how many points sampling = \"{}\" takes", sampling));
     }
     study_.samples = static_cast<int>(samples.value_or(0));
     study_.seed = read_whole(file, "seed", 0, INT32_MAX).value_or(1);
-    if (const toml::node* keep = file.get("keep_recordings")) {
-      if (!keep->is_boolean()) report(*keep, "keep_recordings", "expects true or false");
-      study_.keep_recordings = keep->value_or(false);
-    }
+    read_switch(file, "keep_recordings", study_.keep_recordings);
+    read_switch(file, "findings", study_.has_findings);
+  }
+
+  void read_switch(const toml::table& file, const std::string& key, bool& value) {
+    const toml::node* node = file.get(key);
+    if (node && !node->is_boolean()) report(*node, key, "expects true or false");
+    if (node) value = node->value_or(value);
   }
 
   std::optional<std::int64_t> read_whole(const toml::table& table, const std::string& key, std::int64_t lowest,
@@ -302,7 +296,8 @@ class StudyReader {
     if (scale != "linear" && scale != "log") report(range, key, "'scale' is \"linear\" or \"log\"");
     if (axis.logarithmic && !(axis.from > 0)) report(range, key, "a scale \"log\" needs 'from' above 0");
     const auto steps = read_whole(range, "steps", 2, static_cast<std::int64_t>(kMostStudyPoints));
-    if (study_.sampling == Sampling::grid && !steps && !range.contains("steps")) {
+    const bool is_grid = study_.sampling == Sampling::grid || is_uncertain_;
+    if (is_grid && !steps && !range.contains("steps")) {
       report(range, key, "a grid needs 'steps', how many values to take");
     }
     axis.steps = static_cast<int>(steps.value_or(2));
@@ -349,17 +344,55 @@ class StudyReader {
     for (const toml::node& id : *show) study_.report.show.push_back(*id.value<std::string>());
   }
 
+  // What uncertain inputs and their designs need.
+  void check_campaign() {
+    const int coordinates = coordinate_count(study_.uncertain);
+    const auto has_steps = [](const UncertainInput& input) {
+      const auto* number = std::get_if<UncertainNumber>(&input);
+      return number && number->steps >= 1;
+    };
+    if (study_.sampling == Sampling::grid && !std::ranges::all_of(study_.uncertain, has_steps)) {
+      report(1, "uncertain", "a grid needs 'steps' for each input, and takes neither directions nor correlated inputs");
+      study_.sampling = Sampling::monte_carlo;
+    }
+    if (coordinates > kMostDimensions || static_cast<int>(study_.axes.size()) > kMostDimensions) {
+      report(1, "uncertain",
+             fmt::format("takes {} coordinates; a design has at most {}", coordinates, kMostDimensions));
+    }
+    const bool is_one_group = study_.places.size() == 1 && study_.axes.empty() && study_.ensemble.runs == 0;
+    const bool is_sensitivity = study_.sensitivity.method != SensitivityMethod::none;
+    const bool is_sobol = study_.sensitivity.method == SensitivityMethod::sobol;
+    if (is_sensitivity && (study_.uncertain.empty() || study_.sampling == Sampling::grid)) {
+      report(1, "sensitivity", "needs [uncertain] inputs, and no sampling of its own");
+    }
+    if (is_sensitivity && study_.until.half_width > 0) report(1, "until", "does not go with [sensitivity]");
+    if (is_sobol && 2 * coordinates > kMostDimensions) {
+      report(1, "sensitivity",
+             fmt::format("takes {} coordinates; a design has at most {}", 2 * coordinates, kMostDimensions));
+    }
+    if (study_.until.half_width > 0 && (study_.uncertain.empty() || !is_one_group)) {
+      report(1, "until", "needs [uncertain] inputs, one [[point]] at most, no [vary] and no [ensemble]");
+    }
+  }
+
   void check_size() {
-    if (study_.sampling == Sampling::halton && study_.axes.size() > kMostSampledAxes) {
+    if (study_.sampling == Sampling::halton && study_.axes.size() > kMostSampledAxes && study_.uncertain.empty()) {
       report(1, "vary",
              fmt::format("{} axes are more than sampling = \"halton\" spreads evenly ({})", study_.axes.size(),
                          kMostSampledAxes));
     }
-    double points = study_.sampling == Sampling::halton ? study_.samples : 1;
-    if (study_.sampling == Sampling::grid) {
+    check_campaign();
+    const bool is_uncertain = !study_.uncertain.empty();
+    const bool is_sensitivity = study_.sensitivity.method != SensitivityMethod::none;
+    double points = study_.sampling == Sampling::grid ? 1 : study_.samples;
+    if (is_sensitivity) points = study_.sensitivity.point_count(coordinate_count(study_.uncertain));
+    if (study_.sampling == Sampling::grid || is_uncertain) {
       for (const Axis& axis : study_.axes) {
         points *= axis.values.empty() ? axis.steps : static_cast<double>(axis.values.size());
       }
+    }
+    if (study_.sampling == Sampling::grid) {
+      for (const UncertainInput& input : study_.uncertain) points *= std::get<UncertainNumber>(input).steps;
     }
     points = points * static_cast<double>(study_.places.size()) + study_.ensemble.runs;
     if (points > static_cast<double>(kMostStudyPoints)) {
@@ -369,6 +402,7 @@ class StudyReader {
 
   std::string path_;
   std::set<std::string> said_;
+  bool is_uncertain_ = false;  // has uncertain inputs, the axes of which are a grid whatever the sampling
   Study study_;
   Diagnostics found_;
 };

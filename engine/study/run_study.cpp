@@ -2,29 +2,29 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <condition_variable>
 #include <exception>
 #include <filesystem>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <unordered_map>
 
 #include "engine/base/folder.h"
 #include "engine/base/whole_file.h"
-#include "engine/capture/run.h"
+#include "engine/statistics/proportion.h"
+#include "engine/study/measured_run.h"
+#include "engine/study/record_files.h"
 #include "engine/study/study_folder.h"
+#include "engine/study/study_plan.h"
+#include "engine/study/study_status.h"
+#include "engine/study/study_table.h"
 
 namespace netpocket {
 namespace {
-
-// A point to be run.
-struct Work {
-  std::size_t index;
-  std::vector<Scenario> scenarios;  // by variant
-  std::string identity;
-  std::vector<std::string> files;  // of its recordings, by variant
-  std::size_t runs_left;
-};
 
 // Removes a file or an empty folder. Does nothing if it does not exist or cannot be removed.
 void remove_own(const std::string& path) {
@@ -38,74 +38,100 @@ std::string in_one_line(std::string text) {
   return text;
 }
 
+// The scenarios of a point.
+struct Prepared {
+  std::size_t index = 0;
+  StudyPoint point;
+  std::vector<Scenario> scenarios;  // by variant
+  std::string identity;
+  std::string problem;  // why the point cannot be run; empty if it can
+};
+
+Prepared prepare(const Study& study, const StudyPlan& plan, std::size_t index, const std::string& program,
+                 StudyScenario (*make)(const Study&, const StudyPoint&, const NamedSettings&) = study_scenario) {
+  Prepared made{index, plan.point(index), {}, {}, {}};
+  for (const NamedSettings& variant : study.variants) {
+    StudyScenario scenario = make(study, made.point, variant);
+    if (!scenario.diagnostics.ok() && made.problem.empty()) made.problem = in_one_line(scenario.diagnostics.text());
+    made.scenarios.push_back(std::move(scenario.scenario));
+  }
+  made.identity = point_identity(made.scenarios, program);
+  return made;
+}
+
+// Records on disk by point. Of several records of a point the last of the right identity counts.
+class FoundRecords {
+ public:
+  explicit FoundRecords(const std::string& folder) {
+    scan_records(folder, [this](const RecordPlace& place) { places_[place.point - 1].push_back(place); });
+  }
+
+  std::optional<RecordPlace> find(std::size_t index, const std::string& identity) const {
+    const auto found = places_.find(index);
+    if (found == places_.end()) return std::nullopt;
+    for (auto place = found->second.rbegin(); place != found->second.rend(); ++place) {
+      if (place->identity == identity) return *place;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  std::unordered_map<std::size_t, std::vector<RecordPlace>> places_;
+};
+
+// A point that is being run.
+struct Work {
+  Prepared prepared;
+  std::vector<std::string> files;  // of its recordings, by variant; empty names: none
+  std::vector<StudyRecord> runs;   // by variant
+  std::size_t runs_left = 0;
+};
+
 class StudyRunner {
  public:
   StudyRunner(const Study& study, const std::string& folder, const StudyOptions& options, const StudyCallback& progress)
-      : study_(study), folder_(folder), options_(options), progress_(progress), points_(study_points(study)) {
-    records_.resize(points_.size());
+      : study_(study), folder_(folder), options_(options), progress_(progress), plan_(study), used_(used_keys(study)) {
+    const auto part = static_cast<std::size_t>(options.part.part - 1);
+    for (std::size_t i = part; i < plan_.size(); i += static_cast<std::size_t>(options.part.parts)) mine_.push_back(i);
+    limit_ = study.until.half_width > 0 ? 0 : mine_.size();
   }
 
-  StudyOutcome run(const std::stop_token& stop) {
-    const OwnedStudyFolder own(folder_, study_.name);
-    make_folder(folder_ + "/points");
-    make_folder(folder_ + "/runs");
-    for (std::size_t i = 0; i < points_.size(); ++i) prepare(i);
-    const std::stop_callback forward(stop, [this] { stop_.request_stop(); });
+  void run(const std::stop_token& stop) {
+    writer_.emplace(records_path(folder_, options_.part.part, options_.part.parts));
+    if (has_recordings()) make_folder(folder_ + "/runs");
+    if (options_.resume) found_.emplace(folder_);
+    const std::stop_callback forward(stop, [this] {
+      stop_.request_stop();
+      changed_.notify_all();
+    });
     report();
     {
       std::vector<std::jthread> workers;
       for (int i = 0; i < options_.jobs; ++i) workers.emplace_back([this] { work(); });
     }
     if (!study_.keep_recordings) remove_recordings();
-    StudyOutcome outcome = collect();
-    write_whole_file(folder_ + "/study.csv", FileKind::csv, study_csv(study_, outcome.records));
-    write_whole_file(folder_ + "/study.json", FileKind::json, study_json(study_, outcome.records).dump(1) + "\n");
-    if (failure_) std::rethrow_exception(failure_);
-    return outcome;
   }
+
+  // Throws what a worker threw.
+  void rethrow() const {
+    if (failure_) std::rethrow_exception(failure_);
+  }
+
+  const StudyPlan& plan() const { return plan_; }
+  // Number of points that the study takes.
+  std::size_t points() const { return is_narrow_ ? limit_ : plan_.size(); }
+  std::size_t runs_made() const { return runs_made_; }
+  double wall_seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
  private:
   struct Task {
-    std::size_t work;
+    std::shared_ptr<Work> work;
     std::size_t variant;
   };
 
-  // Decides whether a point is refused, kept from before, or run.
-  void prepare(std::size_t index) {
-    std::vector<Scenario> scenarios;
-    std::string problems;
-    for (const NamedSettings& variant : study_.variants) {
-      StudyScenario made = study_scenario(study_, points_[index], variant);
-      if (!made.diagnostics.ok() && problems.empty()) problems = in_one_line(made.diagnostics.text());
-      scenarios.push_back(std::move(made.scenario));
-    }
-    const std::string identity = point_identity(scenarios, options_.version + options_.commit);
-    const std::string path = record_path(folder_, index);
-    if (!problems.empty()) {
-      keep(index, refused_record(index, points_[index], identity, problems));
-    } else if (auto record = options_.resume ? load_record(path, identity) : std::nullopt) {
-      (*record)["point"] = index + 1;
-      records_[index] = std::move(record);
-      ++points_done_;
-    } else {
-      Work work{index, std::move(scenarios), identity, {}, study_.variants.size()};
-      for (std::size_t v = 0; v < study_.variants.size(); ++v) {
-        const std::string& name = study_.variants[v].name;
-        work.files.push_back(fmt::format("{}/runs/{:04}_{}.h5", folder_, index + 1, name.empty() ? "run" : name));
-        tasks_.push_back({work_.size(), v});
-        seconds_to_run_ += work.scenarios[v].output.end_time;
-      }
-      work_.push_back(std::move(work));
-    }
-  }
+  bool has_recordings() const { return study_.has_findings || study_.keep_recordings; }
 
-  void keep(std::size_t index, StudyRecord record) {
-    write_whole_file(record_path(folder_, index), FileKind::json, record.dump(1) + "\n");
-    records_[index] = std::move(record);
-    ++points_done_;
-  }
-
-  // Main function of a worker: runs tasks until none is left.
+  // Main function of a worker.
   void work() {
     try {
       while (const auto task = next_task()) run(*task);
@@ -114,49 +140,128 @@ class StudyRunner {
       if (!failure_) failure_ = std::current_exception();
       stop_.request_stop();
     }
+    changed_.notify_all();
   }
 
+  // A run of a point that another worker has begun, or the first run of the next point; nothing when there is none.
   std::optional<Task> next_task() {
+    for (;;) {
+      std::unique_lock lock(mutex_);
+      changed_.wait(lock,
+                    [this] { return stop_.stop_requested() || !tasks_.empty() || next_ < limit_ || !may_get_work(); });
+      if (stop_.stop_requested()) return std::nullopt;
+      if (!tasks_.empty()) {
+        Task task = std::move(tasks_.back());
+        tasks_.pop_back();
+        return task;
+      }
+      if (next_ == limit_) {
+        if (!begin_batch()) return std::nullopt;
+        continue;
+      }
+      const std::size_t index = mine_[next_++];
+      ++preparing_;
+      lock.unlock();
+      if (auto task = begin(index)) return task;
+    }
+  }
+
+  // Whether there may be work later although there is none now: variants of a point that is being prepared, or another
+  // batch once all points of this one are finished.
+  bool may_get_work() const { return preparing_ > 0 || (limit_ < mine_.size() && finished_ < limit_); }
+
+  // Lets another batch of points begin, if there is one and the interval is still too wide. Needs the mutex.
+  bool begin_batch() {
+    if (is_narrow_ || limit_ == mine_.size() || finished_ < limit_) return false;
+    is_narrow_ =
+        limit_ > 0 && std::ranges::all_of(tallies_, [this](const CaptureTally& tally) {
+          return is_narrow_enough(tally.captured, tally.judged, study_.estimate.confidence, study_.until.half_width);
+        });
+    if (is_narrow_) return false;
+    limit_ = std::min(mine_.size(), limit_ + static_cast<std::size_t>(study_.until.batch));
+    changed_.notify_all();
+    return true;
+  }
+
+  // Begins a point. Nothing when it is refused or kept from before.
+  std::optional<Task> begin(std::size_t index) {
+    auto work = std::make_shared<Work>();
+    work->prepared = prepare(study_, plan_, index, options_.version + options_.commit);
+    const Prepared& prepared = work->prepared;
+    const auto kept = found_ ? found_->find(index, prepared.identity) : std::nullopt;
+    if (kept || !prepared.problem.empty()) {
+      const std::scoped_lock lock(mutex_);
+      --preparing_;
+      const StudyRecord record =
+          kept ? reader_.read(*kept) : refused_record(index, prepared.point, prepared.identity, prepared.problem);
+      if (!kept) writer_->add(record);
+      count(record);
+      return std::nullopt;
+    }
+    work->runs.resize(study_.variants.size());
+    work->runs_left = study_.variants.size();
+    for (const NamedSettings& variant : study_.variants) {
+      const std::string name = variant.name.empty() ? "run" : variant.name;
+      work->files.push_back(has_recordings() ? fmt::format("{}/runs/{:04}_{}.h5", folder_, index + 1, name) : "");
+    }
     const std::scoped_lock lock(mutex_);
-    if (stop_.stop_requested() || next_ == tasks_.size()) return std::nullopt;
-    return tasks_[next_++];
+    --preparing_;
+    for (std::size_t v = work->runs.size(); v-- > 1;) tasks_.push_back({work, v});
+    changed_.notify_all();
+    return Task{work, 0};
   }
 
   void run(const Task& task) {
-    Work& work = work_[task.work];
-    const Scenario& scenario = work.scenarios[task.variant];
+    Work& work = *task.work;
+    const Scenario& scenario = work.prepared.scenarios[task.variant];
     const RunOptions run_options = {1, true, options_.version, options_.commit, options_.command};
     double counted = 0;
     const auto count_until = [&](double time) {
       const std::scoped_lock lock(mutex_);
-      seconds_run_ += time - counted;
-      counted = time;
+      runs_counted_ += time / scenario.output.end_time - counted;
+      counted = time / scenario.output.end_time;
       report();
     };
-    {
+    if (!work.files[task.variant].empty()) {
       const std::scoped_lock lock(mutex_);
       made_.push_back(work.files[task.variant]);
     }
-    const RunResult result = run_to_recording(
-        scenario, work.files[task.variant], run_options, [&](const RunProgress& p) { count_until(p.time); },
-        stop_.get_token());
-    if (result.status.reason == RunReason::storage_failed) throw RecordingError(result.status.message);
-    if (result.status.reason == RunReason::stopped) return;
+    StudyRecord run = measured_run(scenario, study_.variants[task.variant].name, used_, work.files[task.variant],
+                                   run_options, count_until, stop_.get_token());
+    if (run.is_null() || run.empty()) return;
     count_until(scenario.output.end_time);  // counts the time that a diverged run has left over
     const std::scoped_lock lock(mutex_);
+    ++runs_made_;
+    work.runs[task.variant] = std::move(run);
     if (--work.runs_left == 0) finish(work);
   }
 
-  void finish(const Work& work) {
+  // Needs the mutex.
+  void finish(Work& work) {
     {
       std::vector<Recording> recordings;
-      for (const std::string& file : work.files) recordings.emplace_back(file);
-      keep(work.index, run_record(work.index, points_[work.index], work.identity, study_.variants, recordings));
+      for (const std::string& file : work.files) {
+        if (study_.has_findings) recordings.emplace_back(file);
+      }
+      const Prepared& prepared = work.prepared;
+      const StudyRecord record =
+          run_record(prepared.index, prepared.point, prepared.identity, std::move(work.runs), recordings);
+      writer_->add(record);
+      runs_counted_ -= static_cast<double>(study_.variants.size());
+      count(record);
     }
-    if (!study_.keep_recordings) {
-      for (const std::string& file : work.files) remove_own(file);
+    if (study_.keep_recordings) return;
+    for (const std::string& file : work.files) {
+      if (!file.empty()) remove_own(file);
     }
+  }
+
+  // Counts a finished point. Needs the mutex.
+  void count(const StudyRecord& record) {
+    ++finished_;
+    for (std::size_t v = 0; v < record["runs"].size(); ++v) tallies_[v].add(record["runs"][v]);
     report();
+    changed_.notify_all();
   }
 
   // Removes the recordings that this call began and did not finish. Those that earlier calls kept remain.
@@ -165,24 +270,17 @@ class StudyRunner {
     remove_own(folder_ + "/runs");
   }
 
+  // Needs the mutex.
   void report() const {
     if (!progress_) return;
     StudyProgress p;
-    p.points = points_.size();
-    p.points_done = points_done_;
-    p.fraction = seconds_to_run_ > 0 ? seconds_run_ / seconds_to_run_ : 1;
-    p.wall_seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+    p.points = mine_.size();
+    p.points_done = finished_;
+    const double runs = static_cast<double>(mine_.size() * study_.variants.size());
+    const double done = static_cast<double>(finished_ * study_.variants.size()) + runs_counted_;
+    p.fraction = runs > 0 ? done / runs : 1;
+    p.wall_seconds = wall_seconds();
     progress_(p);
-  }
-
-  StudyOutcome collect() {
-    StudyOutcome outcome;
-    outcome.points = points_.size();
-    for (auto& record : records_) {
-      if (record) outcome.records.push_back(std::move(*record));
-    }
-    outcome.stopped = outcome.records.size() < points_.size();
-    return outcome;
   }
 
   using Clock = std::chrono::steady_clock;
@@ -191,28 +289,102 @@ class StudyRunner {
   const std::string& folder_;
   const StudyOptions& options_;
   const StudyCallback& progress_;
-  const std::vector<StudyPoint> points_;
+  const StudyPlan plan_;
+  const std::vector<std::string> used_;
   const Clock::time_point start_ = Clock::now();
-  double seconds_to_run_ = 0;  // s, simulated
-  std::vector<Task> tasks_;
+  std::vector<std::size_t> mine_;  // indices of the points of this part
+  std::optional<FoundRecords> found_;
   std::stop_source stop_;
 
   // The mutex guards the following while workers run.
   std::mutex mutex_;
-  std::vector<Work> work_;
-  std::size_t next_ = 0;
-  double seconds_run_ = 0;
-  std::vector<std::optional<StudyRecord>> records_;  // by point
-  std::size_t points_done_ = 0;
+  std::condition_variable changed_;
+  std::optional<RecordWriter> writer_;
+  RecordReader reader_;
+  std::vector<Task> tasks_;
+  std::size_t next_ = 0, limit_ = 0, finished_ = 0;  // of mine_: begun, may begin, finished
+  std::size_t preparing_ = 0;                        // points whose scenarios are being made
+  bool is_narrow_ = false;                           // the interval is as narrow as asked for
+  std::vector<CaptureTally> tallies_ = std::vector<CaptureTally>(study_.variants.size());
+  double runs_counted_ = 0;  // of points that are being run
+  std::size_t runs_made_ = 0;
   std::vector<std::string> made_;  // recordings that this call began
   std::exception_ptr failure_;
+};
+
+// Reads the records of the first `points` points and writes the tables of a study.
+class Collector {
+ public:
+  Collector(const Study& study, const std::string& folder, const StudyOptions& options, const StudyPlan& plan)
+      : study_(study), folder_(folder), options_(options), plan_(plan) {}
+
+  void collect(std::size_t points, StudyOutcome& outcome) {
+    const FoundRecords found(folder_);
+    outcome.points = points;
+    const auto part = static_cast<std::size_t>(options_.part.part - 1);
+    for (std::size_t i = 0; i < points; ++i) {
+      const std::string identity =
+          prepare(study_, plan_, i, options_.version + options_.commit, unchecked_scenario).identity;
+      const auto place = found.find(i, identity);
+      if (place) places_.push_back(*place);
+      const bool is_mine = i % static_cast<std::size_t>(options_.part.parts) == part;
+      outcome.stopped = outcome.stopped || (!place && is_mine);
+    }
+    outcome.points_done = places_.size();
+    evaluate(outcome);
+    if (options_.part.parts > 1 && places_.size() < points) return;
+    write_study_tables(study_, folder_, places_);
+    if (!study_.uncertain.empty()) {
+      write_whole_file(folder_ + "/study_estimates.csv", FileKind::csv, estimates_csv(study_, outcome.estimates));
+    }
+    if (study_.sensitivity.method != SensitivityMethod::none) {
+      write_whole_file(folder_ + "/study_sensitivity.csv", FileKind::csv,
+                       sensitivity_csv(study_, outcome.sensitivities));
+    }
+    outcome.has_tables = true;
+  }
+
+ private:
+  void evaluate(StudyOutcome& outcome) const {
+    RecordReader reader;
+    CampaignEstimator estimator(study_);
+    SensitivityEstimator sensitivity(study_);
+    const bool is_sensitivity = study_.sensitivity.method != SensitivityMethod::none;
+    for (const RecordPlace& place : places_) {
+      StudyRecord record = reader.read(place);
+      outcome.refused += place.outcome == "refused" ? 1 : 0;
+      outcome.diverged += place.outcome == "diverged" ? 1 : 0;
+      if (outcome.first_refusal.empty()) outcome.first_refusal = record["refused"].get<std::string>();
+      if (!study_.uncertain.empty()) estimator.add(record);
+      if (is_sensitivity) sensitivity.add(record);
+      if (study_.has_findings) outcome.records.push_back(std::move(record));
+    }
+    outcome.estimates = estimator.estimates();
+    if (is_sensitivity) outcome.sensitivities = sensitivity.estimates();
+  }
+
+  const Study& study_;
+  const std::string& folder_;
+  const StudyOptions& options_;
+  const StudyPlan& plan_;
+  std::vector<RecordPlace> places_;  // of the finished points, in their order
 };
 
 }  // namespace
 
 StudyOutcome run_study(const Study& study, const std::string& folder, const StudyOptions& options,
                        const StudyCallback& progress, const std::stop_token& stop) {
-  return StudyRunner(study, folder, options, progress).run(stop);
+  const bool is_part = options.part.parts > 1;
+  const OwnedStudyFolder own(folder, study.name, is_part ? FolderUse::shared : FolderUse::alone);
+  write_study_manifest(study, folder, options.version + options.commit);
+  StudyRunner runner(study, folder, options, progress);
+  runner.run(stop);
+  StudyOutcome outcome;
+  outcome.runs_made = runner.runs_made();
+  outcome.wall_seconds = runner.wall_seconds();
+  Collector(study, folder, options, runner.plan()).collect(runner.points(), outcome);
+  runner.rethrow();
+  return outcome;
 }
 
 }  // namespace netpocket

@@ -97,6 +97,26 @@ Diagnostics apply_setting(Scenario& scenario, const Setting& setting) {
   return problems;
 }
 
+std::optional<double> number_of(const Scenario& scenario, const std::string& key) {
+  const auto place = parse_place(key);
+  const Parameter* parameter = place ? find_parameter(place->parameter, scenario.system) : nullptr;
+  if (!parameter) return std::nullopt;
+  ParameterValue value = parameter->get(scenario);
+  if (!place->indices.empty()) {
+    const double* number = number_at(value, place->indices);
+    return number ? std::optional(*number) : std::nullopt;
+  }
+  if (const auto* number = std::get_if<double>(&value)) return *number;
+  if (const auto* number = std::get_if<std::int64_t>(&value)) return static_cast<double>(*number);
+  return std::nullopt;
+}
+
+std::string value_of(const Scenario& scenario, const std::string& key) {
+  if (key.find('[') != key.npos) return fmt::format("{}", number_of(scenario, key).value());
+  const Parameter* parameter = find_parameter(key, scenario.system);
+  return toml_text(*parameter, parameter->get(scenario));
+}
+
 Diagnostics apply_settings(Scenario& scenario, const std::vector<Setting>& settings) {
   for (const Setting& setting : settings) {
     Diagnostics diagnostics = apply_setting(scenario, setting);

@@ -1,6 +1,7 @@
 #pragma once
 // A setting of a study: a value for a parameter, or for one number of a parameter that is a list.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,5 +24,12 @@ Diagnostics apply_setting(Scenario& scenario, const Setting& setting);
 // Applies all settings in their order. Stops at the first that fails and returns its problems; earlier ones stay
 // applied.
 Diagnostics apply_settings(Scenario& scenario, const std::vector<Setting>& settings);
+
+// The number that a key of a Setting names in a scenario; nothing when it names no single number.
+std::optional<double> number_of(const Scenario& scenario, const std::string& key);
+
+// The value, in TOML syntax, that a key of a Setting has in a scenario. The key must be that of a parameter or of a
+// number of one.
+std::string value_of(const Scenario& scenario, const std::string& key);
 
 }  // namespace netpocket

@@ -10,6 +10,7 @@
 #include "engine/base/diagnostics.h"
 #include "engine/scenario/scenario.h"
 #include "engine/study/setting.h"
+#include "engine/study/uncertain_input.h"
 
 namespace netpocket {
 
@@ -29,9 +30,42 @@ struct NamedSettings {
   std::vector<Setting> settings;
 };
 
+// Of the uncertain inputs if there are any, and the axes are then a grid; else of the axes.
 enum class Sampling {
   grid,    // every combination
-  halton,  // points spread evenly over all axes: Halton, Numer. Math. 2 (1960) 84
+  halton,  // this and the following: designs of sampling/design.h
+  monte_carlo,
+  latin_hypercube,
+  sobol,
+};
+
+// What a campaign estimates from its captures.
+struct StudyEstimate {
+  double confidence = 0.95;
+  std::vector<double> quantiles = {0.05, 0.5, 0.95};
+  std::vector<std::string> of;  // columns of the table whose quantiles are estimated
+};
+
+enum class SensitivityMethod { none, sobol, morris };
+
+// Which inputs decide a column of the table. The points are then those of the method, not a sample.
+struct StudySensitivity {
+  SensitivityMethod method = SensitivityMethod::none;
+  std::string of = "captured";
+  int size = 0;    // blocks of the Sobol indices, trajectories of the screening
+  int levels = 4;  // of the screening
+
+  // Number of points for a number of coordinates.
+  double point_count(int coordinates) const {
+    return static_cast<double>(size) * (coordinates + (method == SensitivityMethod::sobol ? 2 : 1));
+  }
+};
+
+// When a campaign ends early: the interval of the probability of capture of every variant is no wider than asked for,
+// looked at after each batch of points.
+struct StudyStop {
+  double half_width = 0;  // 0: never
+  int batch = 100;        // points
 };
 
 // Draws of the first point: its runs repeated with random initial displacements of every free node of up to
@@ -58,9 +92,14 @@ struct Study {
   std::vector<Axis> axes;               // in the order of the file
   std::vector<NamedSettings> variants;  // run at each point; at least one
   Sampling sampling = Sampling::grid;
-  int samples = 0;        // halton: number of points for each place
-  std::int64_t seed = 1;  // halton: seed of the random shift
+  int samples = 0;        // not of grids: number of points for each place or, of uncertain inputs, for each combination
+  std::int64_t seed = 1;  // not of grids
+  std::vector<UncertainInput> uncertain;  // in the order of the file
   bool keep_recordings = false;
+  bool has_findings = true;  // whether findings are judged, which takes a recording of each run while it is judged
+  StudyEstimate estimate;
+  StudyStop until;
+  StudySensitivity sensitivity;
   StudyEnsemble ensemble;
   StudyReport report;
   std::map<std::string, std::string> remarks;  // by finding ("F5"), shown in the report
@@ -72,7 +111,7 @@ struct StudyPoint {
   int draw = 0;                   // 1, 2, ...: number of the draw; 0: not of the ensemble
 };
 
-// All points, in an order that depends only on the study. Draws of the ensemble come last.
+// All points at once (study_plan.h).
 std::vector<StudyPoint> study_points(const Study& study);
 
 // The scenario of one variant of a point. The diagnostics say why it cannot run (check_scenario).
@@ -81,5 +120,7 @@ struct StudyScenario {
   Diagnostics diagnostics;
 };
 StudyScenario study_scenario(const Study& study, const StudyPoint& point, const NamedSettings& variant);
+// The same without check_scenario, which takes much longer.
+StudyScenario unchecked_scenario(const Study& study, const StudyPoint& point, const NamedSettings& variant);
 
 }  // namespace netpocket

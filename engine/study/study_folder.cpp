@@ -27,13 +27,15 @@ void make_study_folder(const std::string& path) {
   if (error) throw RecordingError(fmt::format("cannot make the folder \"{}\": {}", path, error.message()));
 }
 
-// Name of any entry of the folder; nothing when it is empty.
+// Name of any entry of the folder but the marker, which another part may just have made; nothing when there is none.
 std::optional<std::string> any_entry(const std::string& folder) {
   std::error_code error;
-  const fs::directory_iterator entries(folder, error);
+  fs::directory_iterator entries(folder, error);
   if (error) throw RecordingError(fmt::format("cannot read the folder \"{}\": {}", folder, error.message()));
-  if (entries == fs::directory_iterator()) return std::nullopt;
-  return entries->path().filename().string();
+  for (const auto& entry : entries) {
+    if (entry.path().filename() != kStudyMarker) return entry.path().filename().string();
+  }
+  return std::nullopt;
 }
 
 std::string read_all(int file) {
@@ -59,17 +61,17 @@ bool holds_study(const std::string& folder) {
   return fs::exists(marker_path(folder), ignored);
 }
 
-OwnedStudyFolder::OwnedStudyFolder(const std::string& folder, const std::string& name) {
+OwnedStudyFolder::OwnedStudyFolder(const std::string& folder, const std::string& name, FolderUse use) {
   make_study_folder(folder);
   if (!holds_study(folder)) {
-    if (const auto entry = any_entry(folder)) {
+    if (const auto entry = any_entry(folder); entry && !holds_study(folder)) {
       throw RecordingError(
           fmt::format("\"{}\" holds something that is not of a study (\"{}\"): name a new or an empty "
                       "folder",
                       folder, *entry));
     }
   }
-  lock(folder);
+  lock(folder, use);
   try {
     check_owner(folder, name);
   } catch (...) {
@@ -78,12 +80,14 @@ OwnedStudyFolder::OwnedStudyFolder(const std::string& folder, const std::string&
   }
 }
 
-void OwnedStudyFolder::lock(const std::string& folder) {
+void OwnedStudyFolder::lock(const std::string& folder, FolderUse use) {
   const std::string path = marker_path(folder);
   marker_ = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
   if (marker_ < 0) throw RecordingError(fmt::format("cannot write \"{}\": {}", path, std::strerror(errno)));
-  if (flock(marker_, LOCK_EX | LOCK_NB) == 0 && is_still(marker_, path)) return;
+  const bool is_shared = use == FolderUse::shared;
+  if (flock(marker_, (is_shared ? LOCK_SH : LOCK_EX) | LOCK_NB) == 0 && is_still(marker_, path)) return;
   const int reason = errno;
+  if (is_shared && (reason == ENOLCK || reason == EOPNOTSUPP)) return;
   close(marker_);
   throw RecordingError(reason == EWOULDBLOCK ? fmt::format("another program is running a study in \"{}\"", folder)
                                              : fmt::format("cannot lock \"{}\": {}", path, std::strerror(reason)));

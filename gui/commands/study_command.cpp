@@ -1,16 +1,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <memory>
 #include <thread>
 
 #include "engine/base/folder.h"
 #include "engine/base/output_list.h"
 #include "engine/base/whole_file.h"
+#include "engine/scenario/parameter_text.h"
+#include "engine/study/campaign_report.h"
 #include "engine/study/read_study.h"
 #include "engine/study/run_study.h"
 #include "engine/study/search_report.h"
 #include "engine/study/study_folder.h"
+#include "engine/study/study_status.h"
 #include "gui/commands/command.h"
 #include "gui/commands/interrupt.h"
 #include "gui/commands/options.h"
@@ -35,14 +39,29 @@ constexpr const char* kStudyFooter =
   name = "fast"
   closing.duration = 5
 
-The folder, a new or empty one, gets study.csv (a row for each run) and study.json (everything, with the findings' rules). Points whose
-scenario is not valid are listed with the reason. Ctrl-C keeps the points that are done; --resume goes on.
-scenarios/studies/README.md describes the file.
+A campaign says what is uncertain, and ends with the probability of capture and its interval:
+
+  sampling = "sobol"
+  samples = 1000
+  [uncertain]
+  target.mass = { distribution = "normal", mean = 200, deviation = 20 }
+  "target.position[0]" = { distribution = "uniform", min = -1.5, max = 1.5 }
+  [until]
+  half_width = 0.02
+
+The folder, a new or empty one, gets study.csv (a row for each run), study_columns.csv (units and meanings), study_timings.csv
+and study.json (everything, with the findings' rules). Points whose scenario is not valid are listed with the reason. Ctrl-C
+keeps the points that are done; --resume goes on. scenarios/studies/README.md describes the file.
+
+--part 3/8 runs the third of eight parts; others may run at the same time, here or on other machines, into the same folder.
+The one that is last writes the tables. --status tells how far a folder is.
 
 Examples:
   netpocket study scenarios/studies/pocket_shape.toml -o shapes --jobs 4
   netpocket study scenarios/studies/pocket_shape.toml -o shapes --jobs 4 --resume
   netpocket study scenarios/studies/findings.toml -o findings --report findings.md
+  seq 8 | parallel netpocket study s.toml -o out --jobs 1 --quiet --part {}/8
+  netpocket study --status out
 
 )";
 
@@ -50,8 +69,11 @@ struct StudyChoice {
   std::string study;
   std::string output;
   std::string report;
+  std::string part;
+  std::string status;
   int jobs = 1;
   bool resume = false;
+  bool merge = false;
   bool quiet = false;
 };
 
@@ -69,56 +91,113 @@ std::string progress_text(const StudyProgress& progress) {
 
 // What came out, one line each.
 std::string outcome_text(const StudyOutcome& outcome, const std::string& folder) {
-  std::size_t refused = 0;
-  std::size_t unfinished = 0;
-  for (const StudyRecord& record : outcome.records) {
-    refused += record["runs"].empty() ? 1 : 0;
-    for (const auto& run : record["runs"]) unfinished += run["reason"] == "finished" ? 0 : 1;
-  }
-  std::string text = fmt::format("{} of {} points done", outcome.records.size(), outcome.points);
-  if (refused > 0) text += fmt::format(", {} of them refused as not valid", refused);
-  if (unfinished > 0) text += fmt::format(", {} runs diverged", unfinished);
-  return text + fmt::format("; \"{0}/study.csv\" and \"{0}/study.json\" hold them\n", folder);
+  std::string text = fmt::format("{} of {} points done", outcome.points_done, outcome.points);
+  if (outcome.refused > 0) text += fmt::format(", {} of them refused as not valid", outcome.refused);
+  if (outcome.diverged > 0) text += fmt::format(", {} with a run that diverged", outcome.diverged);
+  if (outcome.has_tables) text += fmt::format("; \"{0}/study.csv\" and \"{0}/study.json\" hold them", folder);
+  return text + "\n";
+}
+
+std::string throughput_text(const StudyOutcome& outcome, int jobs) {
+  if (outcome.runs_made == 0 || !(outcome.wall_seconds > 0) || jobs == 0) return "";
+  return fmt::format("{} captures in {}, {:.3g} a minute and job\n", outcome.runs_made,
+                     duration_text(outcome.wall_seconds),
+                     60 * static_cast<double>(outcome.runs_made) / outcome.wall_seconds / jobs);
+}
+
+// "3/8": part 3 of 8.
+StudyPart parse_part(const std::string& text) {
+  constexpr int kMostParts = 100000;
+  StudyPart part;
+  char rest = 0;
+  const bool is_read = std::sscanf(text.c_str(), "%6d/%6d%c", &part.part, &part.parts, &rest) == 2;
+  if (is_read && part.part >= 1 && part.part <= part.parts && part.parts <= kMostParts) return part;
+  throw CommandError(
+      ExitCode::usage,
+      fmt::format("--part: expects PART/PARTS, such as 3/8 for the third of eight, not {}", netpocket::quoted(text)));
 }
 
 void check_outputs(const StudyChoice& choice) {
   OutputList outputs;
   outputs.add_input(choice.study);
   outputs.add("--output", choice.output + "/study.csv", FileKind::csv);
+  outputs.add("--output", choice.output + "/study_columns.csv", FileKind::csv);
+  outputs.add("--output", choice.output + "/study_estimates.csv", FileKind::csv);
+  outputs.add("--output", choice.output + "/study_sensitivity.csv", FileKind::csv);
+  outputs.add("--output", choice.output + "/study_timings.csv", FileKind::csv);
   outputs.add("--output", choice.output + "/study.json", FileKind::json);
   if (!choice.report.empty()) outputs.add("--report", choice.report, FileKind::markdown);
 }
 
 void require_valid_point(const StudyOutcome& outcome) {
-  const auto is_valid = [](const StudyRecord& record) { return !record["runs"].empty(); };
-  if (outcome.records.empty() || std::any_of(outcome.records.begin(), outcome.records.end(), is_valid)) return;
-  throw CommandError(ExitCode::bad_input,
-                     fmt::format("none of the {} points makes a valid scenario; the first: {}", outcome.points,
-                                 outcome.records.front()["refused"].get<std::string>()));
+  if (outcome.points_done == 0 || outcome.refused < outcome.points_done) return;
+  throw CommandError(ExitCode::bad_input, fmt::format("none of the {} points makes a valid scenario; the first: {}",
+                                                      outcome.points, outcome.first_refusal));
 }
 
-ExitCode run(const StudyChoice& choice, const std::string& command_line) {
-  const Study study = load_study(choice.study);
-  make_folder(choice.output);
-  if (!choice.resume && holds_study(choice.output)) {
+// What goes together and what does not.
+void check_choice(const StudyChoice& choice, const Study& study) {
+  const bool is_part = !choice.part.empty();
+  if (is_part && study.until.half_width > 0) {
+    throw CommandError(ExitCode::bad_input, "a study that ends by [until] looks at all its points: it has no parts");
+  }
+  if (!is_part && !choice.merge && !choice.resume && holds_study(choice.output)) {
     throw CommandError(ExitCode::io, fmt::format("\"{}\" holds a study already; --resume goes on with it, or name "
                                                  "another folder",
                                                  choice.output));
   }
+  if (choice.merge && !holds_study(choice.output)) {
+    throw CommandError(ExitCode::bad_input, fmt::format("\"{}\" holds no study to put together", choice.output));
+  }
+}
+
+ExitCode show_status(const std::string& folder) {
+  try {
+    print(status_text(study_status(folder)));
+  } catch (const FileError& error) {
+    throw CommandError(ExitCode::bad_input, error.what());
+  }
+  return ExitCode::ok;
+}
+
+void print_outcome(const StudyChoice& choice, const Study& study, const StudyOutcome& outcome) {
+  print(outcome_text(outcome, choice.output));
+  print(throughput_text(outcome, choice.merge ? 0 : choice.jobs));
+  if (outcome.has_tables && !study.uncertain.empty()) print(estimates_text(study, outcome.estimates));
+  if (outcome.has_tables && !outcome.sensitivities.empty()) print(sensitivity_text(study, outcome.sensitivities));
+}
+
+ExitCode run(const StudyChoice& choice, const std::string& command_line) {
+  if (!choice.status.empty()) return show_status(choice.status);
+  if (choice.study.empty()) throw CommandError(ExitCode::usage, "STUDY is required");
+  if (choice.output.empty()) throw CommandError(ExitCode::usage, "--output is required");
+  const StudyPart part = choice.part.empty() ? StudyPart{} : parse_part(choice.part);
+  const Study study = load_study(choice.study);
+  check_choice(choice, study);
+  make_folder(choice.output);
   check_outputs(choice);
-  const StudyOptions options = {choice.jobs, choice.resume, program_version(), program_commit(), command_line};
+  const StudyOptions options = {.jobs = choice.merge ? 0 : choice.jobs,
+                                .resume = choice.resume || choice.merge || part.parts > 1,
+                                .version = program_version(),
+                                .commit = program_commit(),
+                                .command = command_line,
+                                .part = part};
   const Interrupt interrupt;
   const StudyOutcome outcome = [&] {
     ProgressLine line(!choice.quiet);
     const auto show = [&](const StudyProgress& p) { line.update(p.fraction, progress_text(p)); };
     return run_study(study, choice.output, options, show, interrupt.token());
   }();
-  if (!choice.quiet) print(outcome_text(outcome, choice.output));
-  if (outcome.stopped) {
+  if (!choice.quiet) print_outcome(choice, study, outcome);
+  if (outcome.stopped && !choice.merge) {
     say("interrupted; the points that are done are kept, --resume goes on");
     return ExitCode::interrupted;
   }
-  if (!choice.report.empty()) write_whole_file(choice.report, FileKind::markdown, study_report(study, outcome.records));
+  if (!choice.report.empty() && (study.has_findings || outcome.has_tables)) {
+    const std::string report = study.has_findings ? study_report(study, outcome.records)
+                                                  : campaign_report(study, outcome, read_study_results(choice.output));
+    write_whole_file(choice.report, FileKind::markdown, report);
+  }
   require_valid_point(outcome);
   return ExitCode::ok;
 }
@@ -128,13 +207,21 @@ ExitCode run(const StudyChoice& choice, const std::string& command_line) {
 Action declare_study(CLI::App& app) {
   const auto choice = std::make_shared<StudyChoice>();
   choice->jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  app.add_option("STUDY", choice->study, "study file (TOML)")->required()->type_name("FILE");
-  app.add_option("-o,--output", choice->output, "folder to write; made when missing")->required()->type_name("DIR");
+  app.add_option("STUDY", choice->study, "study file (TOML)")->type_name("FILE");
+  CLI::Option* output =
+      app.add_option("-o,--output", choice->output, "folder to write; made when missing")->type_name("DIR");
   app.add_option("--jobs", choice->jobs, "runs at a time; each takes one processor core")
       ->type_name("N")
       ->check(whole_number(1, 256))
       ->capture_default_str();
   app.add_flag("--resume", choice->resume, "go on with a study in the same folder: only what is missing is run");
+  CLI::Option* part =
+      app.add_option("--part", choice->part, "only this part of the points, e.g. 3/8; what is done is kept")
+          ->type_name("PART/PARTS");
+  app.add_flag("--merge", choice->merge, "run nothing, only put the tables together from what is done")->excludes(part);
+  app.add_option("--status", choice->status, "tell how far the study in this folder is")
+      ->type_name("DIR")
+      ->excludes(output);
   app.add_option("--report", choice->report, "also write what was found as a report (Markdown)")->type_name("FILE.md");
   app.add_flag("--quiet", choice->quiet, "no progress and no last line");
   app.footer(kStudyFooter + exit_code_help({ExitCode::bad_input, ExitCode::io, ExitCode::interrupted}));

@@ -105,7 +105,7 @@ TEST(Study, InterruptedItKeepsWhatIsDoneAndGoesOn) {
   // The second point would take hours.
   const std::string study = write_study(folder, 0.02, "[vary]\noutput.end_time = [0.02, 19000]\n");
   RunningProgram program({"study", study, "-o", folder.file("out"), "--jobs", "1"});
-  while (!std::filesystem::exists(folder.file("out/points/0001.json"))) {
+  while (text_of(folder.file("out/records/1_of_1.jsonl")).empty()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
   program.signal(SIGINT);

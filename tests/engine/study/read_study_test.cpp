@@ -89,7 +89,7 @@ TEST(ReadStudy, SaysWhatIsWrong) {
       {"[vary]\ntarget.spin = { from = 4, to = 5, steps = 3 }", "target.spin: expects a list of three numbers"},
       {"[vary]\ncontact.friction = { from = 0, to = 1, steps = 3, scale = \"log\" }", "needs 'from' above 0"},
       {"[vary]\ntarget.radius = { from = 4, to = 5, steps = 90000 }\ntarget.mass = [1, 2]", "1.8e+05 points are more"},
-      {"sampling = \"random\"", "expects \"grid\" or \"halton\", not \"random\""},
+      {"sampling = \"random\"", "or \"sobol\", not \"random\""},
       {"sampling = \"halton\"", "samples: says how many points"},
       {"colour = 1", "colour: is not a key of a study; these are: name, description"},
       {"[[variant]]\nclosing.duration = 5", "variant.name: expects a name"},

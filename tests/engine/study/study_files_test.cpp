@@ -26,6 +26,7 @@ TEST(StudyFiles, AreValidAndCompareThePapersClosingTimes) {
     const StudyResult result = read_study_file(entry.path().string());
     ASSERT_TRUE(result.ok()) << result.diagnostics.text();
     EXPECT_FALSE(result.study.description.empty()) << entry.path();
+    if (!result.study.has_findings) continue;  // a campaign compares no closing times
     ASSERT_EQ(result.study.variants.size(), 3u) << entry.path();
     for (const auto& [variant, duration] : {std::pair(0, 10.0), std::pair(1, 7.5), std::pair(2, 5.0)}) {
       Scenario scenario;

@@ -1,0 +1,100 @@
+#include "engine/study/campaign_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "engine/statistics/empirical_distribution.h"
+#include "engine/study/report_text.h"
+
+namespace netpocket {
+namespace {
+
+constexpr std::size_t kWorst = 12;
+
+std::string unit_text(const std::string& unit) { return unit == "1" ? "" : unit; }
+
+std::string inputs_section(const StudyResults& results) {
+  std::string text =
+      "## What is uncertain\n\nQuantiles of the values that the runs used, read back from the simulation.\n\n" +
+      markdown_header({"input", "unit", "least", "5 %", "median", "95 %", "largest"});
+  for (const ResultColumn& input : results.inputs) {
+    std::vector<double> values;
+    std::ranges::copy_if(input.values, std::back_inserter(values), [](double v) { return std::isfinite(v); });
+    const EmpiricalDistribution distribution(values);
+    text += fmt::format("| `{}` | {} |", input.name, unit_text(input.unit));
+    for (const double fraction : {0.0, 0.05, 0.5, 0.95, 1.0})
+      text += fmt::format(" {:.3g} |", distribution.quantile(fraction));
+    text += "\n";
+  }
+  return text + "\n";
+}
+
+std::string probability_section(const Study& study, const StudyOutcome& outcome) {
+  std::string text = "## Probability of capture\n\n" +
+                     fmt::format("{:g} % confidence.\n\n", 100 * study.estimate.confidence) +
+                     markdown_header({"group", "variant", "captured", "judged", "not judged", "refused", "probability",
+                                      "Wilson", "Clopper-Pearson"});
+  for (const GroupEstimate& e : outcome.estimates) {
+    text +=
+        fmt::format("| {} | {} | {} | {} | {} | {} | {:.4f} | {:.4f} to {:.4f} | {:.4f} to {:.4f} |\n", e.group + 1,
+                    markdown_cell(e.variant), e.tally.captured, e.tally.judged, e.tally.not_judged, e.refused,
+                    e.probability(), e.wilson.lower, e.wilson.upper, e.clopper_pearson.lower, e.clopper_pearson.upper);
+  }
+  return text + "\n";
+}
+
+std::string quantiles_section(const StudyOutcome& outcome) {
+  std::string rows;
+  for (const GroupEstimate& e : outcome.estimates) {
+    for (const QuantileOfColumn& q : e.quantiles) {
+      rows +=
+          fmt::format("| `{}` | {} | {:g} % | {:.4g} | {:.4g} to {:.4g} | {} |\n", q.column, markdown_cell(e.variant),
+                      100 * q.fraction, q.value, q.interval.lower, q.interval.upper, q.count);
+    }
+  }
+  if (rows.empty()) return "";
+  return "## Quantiles\n\n" + markdown_header({"column", "variant", "share below", "value", "interval", "values"}) +
+         rows + "\n";
+}
+
+// Rows of runs, the least escape depth first; those without one last.
+std::string worst_section(const StudyResults& results) {
+  const ResultColumn* depth = results.find("escape_depth");
+  if (!depth) return "";
+  std::vector<std::size_t> order(results.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto key = [&](std::size_t i) { return std::isnan(depth->values[i]) ? INFINITY : depth->values[i]; };
+  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
+  order.resize(std::min(order.size(), kWorst));
+  std::vector<std::string> header = {"point", "captured", "escape_depth (m)"};
+  for (const ResultColumn& input : results.inputs) header.push_back(input.name);
+  std::string text =
+      "## The worst captures\n\nThose in which the target's centre came nearest to the mouth's plane, or beyond "
+      "it.\n\n" +
+      markdown_header(header);
+  for (const std::size_t i : order) {
+    const char* captured = std::isnan(results.captured[i]) ? "not judged" : results.captured[i] == 1 ? "yes" : "no";
+    text += fmt::format("| {} | {} | {:.3g} |", results.points[i], captured, depth->values[i]);
+    for (const ResultColumn& input : results.inputs) text += fmt::format(" {:.3g} |", input.values[i]);
+    text += "\n";
+  }
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string campaign_report(const Study& study, const StudyOutcome& outcome, const StudyResults& results) {
+  std::string text = fmt::format(
+      "# {}\n\n{}.\n\n{} points, {} done, {} refused as not valid, {} with a run that diverged.\n\n", study.name,
+      study.description, outcome.points, outcome.points_done, outcome.refused, outcome.diverged);
+  text += inputs_section(results) + probability_section(study, outcome) + quantiles_section(outcome);
+  if (!outcome.sensitivities.empty()) {
+    text += "## Sensitivity\n\n```\n" + sensitivity_text(study, outcome.sensitivities) + "```\n\n";
+  }
+  return text + worst_section(results);
+}
+
+}  // namespace netpocket

@@ -1,0 +1,12 @@
+#pragma once
+// Reads what a study asks of its captures, from TOML (scenarios/studies/README.md): [estimate], [until], [sensitivity].
+// Thread contract: any thread may call it.
+
+#include "engine/study/study.h"
+#include "engine/study/toml_values.h"
+
+namespace netpocket {
+
+void read_campaign(const toml::table& file, Study& study, const ReportProblem& report);
+
+}  // namespace netpocket

@@ -1,0 +1,31 @@
+#pragma once
+// The finished table of a study, read back for figures. Thread contract: any thread may call these functions.
+
+#include <string>
+#include <vector>
+
+namespace netpocket {
+
+struct ResultColumn {
+  std::string name;
+  std::string unit;
+  std::vector<double> values;  // by row; NaN where there is no number
+};
+
+// Rows of runs; refused points are left out.
+struct StudyResults {
+  std::vector<ResultColumn> inputs;    // settings that differ and uncertain values, as far as they are numbers
+  std::vector<ResultColumn> measures;  // numbers of the summary and metrics
+  std::vector<double> points;          // 1, 2, ...
+  std::vector<double> captured;        // 1 or 0; NaN where it was not judged
+
+  std::size_t size() const { return points.size(); }
+  // Null when there is no such input or measure.
+  const ResultColumn* find(const std::string& name) const;
+};
+
+// Reads study.csv and study_columns.csv of a study's folder. Throws FileError with one sentence when there are none or
+// when they are damaged.
+StudyResults read_study_results(const std::string& folder);
+
+}  // namespace netpocket

@@ -1,0 +1,119 @@
+#include "engine/study/study_status.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "engine/base/whole_file.h"
+#include "engine/study/record_files.h"
+#include "engine/study/study_plan.h"
+#include "engine/study/study_record.h"
+
+namespace netpocket {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* sampling_name(Sampling sampling) {
+  switch (sampling) {
+    case Sampling::grid:
+      return "grid";
+    case Sampling::halton:
+      return "halton";
+    case Sampling::monte_carlo:
+      return "monte_carlo";
+    case Sampling::latin_hypercube:
+      return "latin_hypercube";
+    case Sampling::sobol:
+      return "sobol";
+  }
+  return "";
+}
+
+Json read_manifest(const std::string& folder) {
+  const std::string path = folder + "/" + kStudyManifest;
+  std::ifstream file(path);
+  if (!file) throw FileError(fmt::format("\"{}\" holds no study: there is no {} in it", folder, kStudyManifest));
+  Json manifest = Json::parse(file, nullptr, false);
+  if (!manifest.is_object() || !manifest["points"].is_number_unsigned() || !manifest["study"].is_string()) {
+    throw FileError(fmt::format("\"{}\" is damaged", path));
+  }
+  return manifest;
+}
+
+std::string failure_reason(const StudyRecord& record) {
+  const std::string refused = record["refused"].get<std::string>();
+  if (!refused.empty()) return refused;
+  for (const Json& run : record["runs"]) {
+    if (run["reason"] != "finished") return run["message"].get<std::string>();
+  }
+  return "";
+}
+
+std::vector<std::string> files_being_written(const std::string& folder) {
+  std::vector<std::string> files;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder + "/records", error)) {
+    if (is_being_written(entry.path().string())) files.push_back(entry.path().filename().string());
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
+}  // namespace
+
+void write_study_manifest(const Study& study, const std::string& folder, const std::string& program) {
+  Json variants = Json::array(), uncertain = Json::array();
+  for (const NamedSettings& variant : study.variants) variants.push_back(variant.name);
+  for (const std::string& key : used_keys(study)) uncertain.push_back(key);
+  const Json manifest = {{"study", study.name},
+                         {"points", StudyPlan(study).size()},
+                         {"variants", variants},
+                         {"sampling", sampling_name(study.sampling)},
+                         {"samples", study.samples},
+                         {"seed", study.seed},
+                         {"uncertain", uncertain},
+                         {"program", program},
+                         {"scenario", point_identity({study.base}, program)}};
+  write_whole_file(folder + "/" + kStudyManifest, FileKind::json, manifest.dump(1) + "\n");
+}
+
+StudyStatus study_status(const std::string& folder) {
+  const Json manifest = read_manifest(folder);
+  StudyStatus status;
+  status.study = manifest["study"].get<std::string>();
+  status.points = manifest["points"].get<std::size_t>();
+  std::vector<RecordPlace> failed;
+  std::vector<bool> is_finished(status.points);
+  scan_records(folder, [&](const RecordPlace& place) {
+    if (place.point > status.points || is_finished[place.point - 1]) return;
+    is_finished[place.point - 1] = true;
+    ++status.finished;
+    status.refused += place.outcome == "refused" ? 1 : 0;
+    status.diverged += place.outcome == "diverged" ? 1 : 0;
+    if (place.outcome != "done" && failed.size() < kMostFailuresListed) failed.push_back(place);
+  });
+  RecordReader reader;
+  for (const RecordPlace& place : failed) {
+    status.failures.push_back({place.point, failure_reason(reader.read(place))});
+  }
+  status.writing = files_being_written(folder);
+  return status;
+}
+
+std::string status_text(const StudyStatus& status) {
+  std::string text = fmt::format("{}: {} of {} points done", status.study, status.finished, status.points);
+  if (status.refused > 0) text += fmt::format(", {} of them refused as not valid", status.refused);
+  if (status.diverged > 0) text += fmt::format(", {} with a run that diverged", status.diverged);
+  text += "\n";
+  for (const std::string& file : status.writing) text += fmt::format("running: {}\n", file);
+  for (const StudyFailure& failure : status.failures)
+    text += fmt::format("point {}: {}\n", failure.point, failure.reason);
+  const std::size_t failed = status.refused + status.diverged;
+  if (failed > status.failures.size()) text += fmt::format("and {} more\n", failed - status.failures.size());
+  return text;
+}
+
+}  // namespace netpocket

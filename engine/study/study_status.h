@@ -1,0 +1,40 @@
+#pragma once
+// How far a study is, from its folder alone. Thread contract: any thread may call these functions. Errors: FileError.
+
+#include <string>
+#include <vector>
+
+#include "engine/study/study.h"
+
+namespace netpocket {
+
+// Name of the file, in the study's folder, that says what the study consists of.
+inline constexpr char kStudyManifest[] = "study_manifest.json";
+
+// Writes {"study", "points", "variants" [names], "sampling", "samples", "seed", "uncertain" [keys], "program",
+// "scenario" (hash of program, base scenario and meshes)}.
+void write_study_manifest(const Study& study, const std::string& folder, const std::string& program);
+
+struct StudyFailure {
+  std::size_t point = 0;  // 1, 2, ...
+  std::string reason;
+};
+
+struct StudyStatus {
+  std::string study;
+  std::size_t points = 0;
+  std::size_t finished = 0;            // of these; includes the following two
+  std::size_t refused = 0;             // points whose scenario is not valid
+  std::size_t diverged = 0;            // points with a run that diverged
+  std::vector<StudyFailure> failures;  // the first ones of both kinds, kMostFailuresListed at most
+  std::vector<std::string> writing;    // files of records that programs on this machine are writing
+};
+
+inline constexpr std::size_t kMostFailuresListed = 20;
+
+StudyStatus study_status(const std::string& folder);
+
+// Some lines for people.
+std::string status_text(const StudyStatus& status);
+
+}  // namespace netpocket

@@ -1,0 +1,34 @@
+#include "engine/study/toml_values.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace netpocket {
+
+int line_of(const toml::node& node) { return static_cast<int>(node.source().begin.line); }
+
+std::string value_text(const toml::node& node) {
+  if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
+  if (const auto* array = node.as_array()) {
+    std::string text = "[";
+    for (const toml::node& element : *array) text += (text.size() > 1 ? ", " : "") + value_text(element);
+    return text + "]";
+  }
+  std::ostringstream text;
+  node.visit([&text](const auto& value) { text << value; });
+  return text.str();
+}
+
+std::vector<TomlEntry> entries(const toml::table& table) {
+  std::vector<TomlEntry> found;
+  for (const auto& [key, node] : table) found.push_back({std::string(key.str()), &node});
+  const auto place = [](const TomlEntry& e) {
+    return std::pair(e.node->source().begin.line, e.node->source().begin.column);
+  };
+  std::stable_sort(found.begin(), found.end(), [&](const auto& a, const auto& b) { return place(a) < place(b); });
+  return found;
+}
+
+}  // namespace netpocket
