@@ -38,11 +38,18 @@ struct PhaseBand {
   FigureColour colour;
 };
 
+// A name at a place of an axis.
+struct NamedTick {
+  double value = 0;
+  std::string name;
+};
+
 // One axis. Unless given, its limits follow from the curves: tight in x, with a margin in y.
 struct PanelAxis {
   std::string title;        // quantity and unit, e.g. "Time (s)"
   double minimum_span = 0;  // shows smaller variations, such as round-off, as the flat line they are
   std::optional<AxisLimits> limits;
+  std::vector<NamedTick> names;  // instead of numbers
 };
 
 // Says "no data" when no point of its curves is finite.

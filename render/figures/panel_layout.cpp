@@ -69,6 +69,16 @@ double phase_strip(const Panel& panel) { return panel.phases.empty() ? 0 : style
 
 int intervals(double length, double spacing) { return std::max(2, static_cast<int>(length / spacing)); }
 
+AxisTicks axis_ticks(const PanelAxis& axis, const AxisLimits& limits, int intervals) {
+  if (axis.names.empty()) return make_ticks(limits, intervals);
+  AxisTicks ticks;
+  for (const NamedTick& tick : axis.names) {
+    ticks.major.push_back(tick.value);
+    ticks.labels.push_back(tick.name);
+  }
+  return ticks;
+}
+
 double widest_label(cairo_t* context, const AxisTicks& ticks) {
   double widest = 0;
   for (const std::string& label : ticks.labels) {
@@ -143,7 +153,7 @@ class GridLayout {
     layout.x_limits = axis_limits(panel.x, range.x, 0);
     layout.y_limits = axis_limits(panel.y, range.y, style::kCurveMargin);
     layout.y_limits = with_headroom(layout.y_limits, frame_height_, phase_strip(panel) + headroom);
-    layout.y_ticks = make_ticks(layout.y_limits, intervals(frame_height_, style::kTickSpacingY));
+    layout.y_ticks = axis_ticks(panel.y, layout.y_limits, intervals(frame_height_, style::kTickSpacingY));
   }
 
   void set_horizontal(const std::vector<Gutter>& gutters, std::vector<PanelLayout>& layouts) const {
@@ -158,7 +168,8 @@ class GridLayout {
         const double top = area_.y + static_cast<double>(row) * cell_height_ + above_;
         layouts[i].frame = {left, top, frame_width, frame_height_};
         layouts[i].y_title_baseline = left - gutters[column].title_baseline();
-        layouts[i].x_ticks = make_ticks(layouts[i].x_limits, intervals(frame_width, style::kTickSpacingX));
+        const int count = intervals(frame_width, style::kTickSpacingX);
+        layouts[i].x_ticks = axis_ticks(figure_.panels[i].x, layouts[i].x_limits, count);
       }
       left += frame_width + style::kRightMargin;
     }

@@ -129,5 +129,67 @@ TEST(Study, WritesAReport) {
   EXPECT_TRUE(contains(report, "`solver.safety = 0.4`")) << report;
 }
 
+constexpr const char* kUncertainMass = R"(
+[uncertain]
+target.mass = { distribution = "normal", mean = 200, deviation = 20 }
+"target.velocity[1]" = { distribution = "uniform", min = -0.2, max = 0.2 }
+[until]
+half_width = 0.3
+)";
+
+// `keys` come before the tables.
+std::string write_campaign(const TestFolder& folder, const std::string& keys, std::string rest) {
+  const std::string study = write_study(folder, 0.02, rest);
+  return folder.write("campaign.toml", keys + text_of(study));
+}
+
+TEST(Study, CampaignEndsWithAnEstimateAndIsDrawn) {
+  const TestFolder folder;
+  const std::string study = write_campaign(folder, "samples = 6\n", kUncertainMass);
+  const auto result = run_program({"study", study, "-o", folder.file("out"), "--report", folder.file("C.md")});
+  EXPECT_EQ(result.exit_code, 0) << result.error;
+  // The runs end before anything is closed.
+  EXPECT_TRUE(contains(result.out, "probability of capture: not known, 0 of 0 captures, 6 more not judged"))
+      << result.out;
+  EXPECT_TRUE(contains(result.out, "6 captures in ")) << result.out;
+  EXPECT_TRUE(contains(text_of(folder.file("C.md")), "| `target.mass` | kg |")) << text_of(folder.file("C.md"));
+  EXPECT_TRUE(contains(text_of(folder.file("out/study_estimates.csv")), "probability_wilson"));
+  const auto plotted = run_program({"plot", folder.file("out"), "-o", folder.file("figures"), "--format", "svg"});
+  EXPECT_EQ(plotted.exit_code, 0) << plotted.error;
+  EXPECT_TRUE(std::filesystem::exists(folder.file("figures/capture_map.svg")));
+}
+
+TEST(Study, PartsRunIntoOneFolder) {
+  const TestFolder folder;
+  std::string rest = kUncertainMass;
+  const std::string study = write_campaign(folder, "samples = 5\n", rest.substr(0, rest.find("[until]")));
+  EXPECT_EQ(run_program({"study", study, "-o", folder.file("one"), "--quiet"}).exit_code, 0);
+  const auto part = [&](const std::string& name) {
+    return run_program({"study", study, "-o", folder.file("out"), "--part", name, "--jobs", "1"});
+  };
+  const auto second = part("2/2");
+  EXPECT_EQ(second.exit_code, 0) << second.error;
+  EXPECT_FALSE(std::filesystem::exists(folder.file("out/study.csv")));
+  const auto status = run_program({"study", "--status", folder.file("out")});
+  EXPECT_EQ(status.out, "campaign: 2 of 5 points done\n") << status.error;
+  EXPECT_EQ(part("1/2").exit_code, 0);
+  EXPECT_EQ(text_of(folder.file("out/study.csv")), text_of(folder.file("one/study.csv")));
+  EXPECT_EQ(run_program({"study", study, "-o", folder.file("out"), "--merge", "--quiet"}).exit_code, 0);
+  for (const char* wrong : {"3/2", "0/2", "2", "1/2x"}) {
+    const auto refused = part(wrong);
+    EXPECT_EQ(refused.exit_code, 2) << wrong;
+    EXPECT_TRUE(contains(refused.error, "expects PART/PARTS")) << refused.error;
+  }
+}
+
+TEST(Study, NeedsAStudyAndAFolder) {
+  EXPECT_EQ(run_program({"study"}).exit_code, 2);
+  EXPECT_EQ(run_program({"study", "a.toml"}).exit_code, 2);
+  const TestFolder folder;
+  const auto nothing = run_program({"study", "--status", folder.file("")});
+  EXPECT_EQ(nothing.exit_code, 3);
+  EXPECT_TRUE(contains(nothing.error, "holds no study")) << nothing.error;
+}
+
 }  // namespace
 }  // namespace netpocket

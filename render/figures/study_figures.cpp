@@ -1,0 +1,372 @@
+#include "render/figures/study_figures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "engine/statistics/empirical_distribution.h"
+#include "engine/statistics/kriging.h"
+#include "engine/statistics/proportion.h"
+#include "render/figures/contour.h"
+#include "render/figures/rich_text.h"
+
+namespace netpocket {
+namespace {
+
+constexpr double kGapInCurve = std::numeric_limits<double>::quiet_NaN();
+constexpr double kConfidence = 0.95;
+
+using Column = ResultColumn;
+
+std::string axis_title(const Column& column) {
+  const bool has_unit = !column.unit.empty() && column.unit != "1";
+  return plain_text(has_unit ? fmt::format("{} ({})", column.name, column.unit) : column.name);
+}
+
+Curve line(FigureColour colour, double width = 0.9, const std::string& label = "") {
+  Curve curve;
+  curve.colour = colour;
+  curve.width = width;
+  curve.label = label;
+  return curve;
+}
+
+// Points alone: a gap follows each.
+Curve scatter(FigureColour colour, const std::string& label) {
+  Curve curve = line(colour, 0.9, label);
+  curve.marker = Marker::circle;
+  return curve;
+}
+
+Panel panel_of(const std::string& x_title, const std::string& y_title, std::vector<Curve> curves) {
+  Panel panel;
+  panel.x.title = x_title;
+  panel.y.title = y_title;
+  panel.curves = std::move(curves);
+  return panel;
+}
+
+void add_point(Curve& curve, double x, double y) {
+  curve.x.insert(curve.x.end(), {x, kGapInCurve});
+  curve.y.insert(curve.y.end(), {y, kGapInCurve});
+}
+
+// Captures over two inputs: missed ones over the captured ones.
+std::vector<Curve> captures_over(const StudyResults& results, const Column& x, const Column& y, bool has_labels) {
+  Curve captured = scatter(kSkyBlue, has_labels ? "captured" : ""),
+        missed = scatter(kVermillion, has_labels ? "missed" : "");
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    if (!std::isnan(results.captured[i]))
+      add_point(results.captured[i] == 1 ? captured : missed, x.values[i], y.values[i]);
+  }
+  return {captured, missed};
+}
+
+struct Range {
+  double from, to;
+  double at(double fraction) const { return from + fraction * (to - from); }
+  double fraction(double value) const { return to > from ? (value - from) / (to - from) : 0.5; }
+};
+
+Range range_of(const Column& column) {
+  Range range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  for (const double value : column.values) {
+    if (std::isfinite(value)) range = {std::min(range.from, value), std::max(range.to, value)};
+  }
+  return range;
+}
+
+// Probability of capture over two inputs, the others as they were drawn: Kriging of the captures, yes or no, whose
+// estimated noise is what the other inputs do. In column i, row j at x[i], y[j].
+struct ProbabilityMap {
+  std::vector<double> x, y;
+  Eigen::MatrixXd values;
+};
+
+ProbabilityMap probability_map(const StudyResults& results, const Column& x, const Column& y) {
+  constexpr std::size_t kMostPoints = 300;  // the time grows with their cube
+  constexpr std::size_t kSteps = 41;
+  const Range across = range_of(x), along = range_of(y);
+  std::vector<Eigen::Vector2d> points;
+  std::vector<double> values;
+  for (std::size_t i = 0; i < results.size() && points.size() < kMostPoints; ++i) {
+    if (std::isnan(results.captured[i])) continue;
+    points.emplace_back(across.fraction(x.values[i]), along.fraction(y.values[i]));
+    values.push_back(results.captured[i]);
+  }
+  ProbabilityMap map;
+  const bool varies = std::ranges::count(values, 0) > 0 && std::ranges::count(values, 1) > 0;
+  if (points.size() < 20 || !varies) return map;
+  Eigen::MatrixXd design(2, static_cast<Eigen::Index>(points.size()));
+  for (std::size_t i = 0; i < points.size(); ++i) design.col(static_cast<Eigen::Index>(i)) = points[i];
+  const Kriging kriging(design, Eigen::Map<const Eigen::VectorXd>(values.data(), design.cols()));
+  map.values.resize(kSteps, kSteps);
+  for (std::size_t i = 0; i < kSteps; ++i) {
+    const double fraction = static_cast<double>(i) / (kSteps - 1);
+    map.x.push_back(across.at(fraction));
+    map.y.push_back(along.at(fraction));
+    for (std::size_t j = 0; j < kSteps; ++j) {
+      const Eigen::Vector2d place(fraction, static_cast<double>(j) / (kSteps - 1));
+      map.values(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(i)) = kriging.predict(place).value;
+    }
+  }
+  return map;
+}
+
+Curve contour_curve(const ProbabilityMap& map, double level, double width) {
+  Curve curve = line(kBlack, width, fmt::format("{:g} %", 100 * level));
+  for (const ContourSegment& segment : contour(map.x, map.y, map.values, level)) {
+    curve.x.insert(curve.x.end(), {segment.from.x(), segment.to.x(), kGapInCurve});
+    curve.y.insert(curve.y.end(), {segment.from.y(), segment.to.y(), kGapInCurve});
+  }
+  return curve;
+}
+
+// The inputs that decide most, at most `count`.
+std::vector<const Column*> deciding_inputs(const StudyResults& results, std::size_t count) {
+  std::vector<const Column*> inputs;
+  for (const InputInfluence& influence : input_influences(results)) {
+    if (inputs.size() < count) inputs.push_back(&results.inputs[influence.input]);
+  }
+  return inputs;
+}
+
+Figure capture_map(const StudyResults& results) {
+  Figure figure{.title = "Captures and probability of capture", .panels = {{}}, .width_mm = 140, .height_mm = 120};
+  const auto inputs = deciding_inputs(results, 2);
+  if (inputs.size() < 2) return figure;
+  Panel& panel = figure.panels[0];
+  panel.x.title = axis_title(*inputs[0]);
+  panel.y.title = axis_title(*inputs[1]);
+  panel.curves = captures_over(results, *inputs[0], *inputs[1], true);
+  const ProbabilityMap map = probability_map(results, *inputs[0], *inputs[1]);
+  if (map.x.empty()) return figure;
+  panel.curves.push_back(contour_curve(map, 0.1, 0.6));
+  panel.curves.push_back(contour_curve(map, 0.5, 1.2));
+  panel.curves.push_back(contour_curve(map, 0.9, 2.0));
+  return figure;
+}
+
+Figure convergence(const StudyResults& results) {
+  Figure figure{.title = "Probability of capture", .panels = {{}}, .width_mm = 140, .height_mm = 80};
+  Curve estimate = line(kBlack, 0.9, "estimate"), lower = line(kBlue, 0.9, "95 % interval (Wilson)"),
+        upper = line(kBlue);
+  std::int64_t captured = 0, judged = 0;
+  for (const double value : results.captured) {
+    if (std::isnan(value)) continue;
+    captured += value == 1 ? 1 : 0;
+    const Interval interval = wilson_interval(captured, ++judged, kConfidence);
+    for (Curve* curve : {&estimate, &lower, &upper}) curve->x.push_back(static_cast<double>(judged));
+    estimate.y.push_back(static_cast<double>(captured) / static_cast<double>(judged));
+    lower.y.push_back(interval.lower);
+    upper.y.push_back(interval.upper);
+  }
+  figure.panels[0].x.title = "Captures";
+  figure.panels[0].y.title = "Probability of capture";
+  figure.panels[0].curves = {lower, upper, estimate};
+  return figure;
+}
+
+Curve steps_of(const Column& column) {
+  std::vector<double> values;
+  for (const double value : column.values) {
+    if (std::isfinite(value)) values.push_back(value);
+  }
+  std::ranges::sort(values);
+  Curve curve = line(kBlue);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    for (const std::size_t count : {i, i + 1}) {
+      curve.x.push_back(values[i]);
+      curve.y.push_back(static_cast<double>(count) / static_cast<double>(values.size()));
+    }
+  }
+  return curve;
+}
+
+Figure distributions(const StudyResults& results) {
+  const std::vector<std::string> names = {"first_contact_time", "closed_time",      "smallest_gap",
+                                          "escape_depth",       "utilisation_peak", "peak_fy_N",
+                                          "modified_index",     "covered_share",    "angular_momentum_end"};
+  Figure figure{.title = "Distributions of what was measured", .panels = {}, .columns = 3, .height_mm = 150};
+  for (const std::string& name : names) {
+    const Column* column = results.find(name);
+    if (!column) continue;
+    figure.panels.push_back(panel_of(axis_title(*column), "Share below", {steps_of(*column)}));
+  }
+  if (figure.panels.empty()) figure.panels.emplace_back();
+  return figure;
+}
+
+struct Share {
+  std::int64_t captured = 0, judged = 0;
+  double value() const { return static_cast<double>(captured) / static_cast<double>(judged); }
+};
+
+struct Difference {
+  double value = 0, lower = 0, upper = 0;
+};
+
+// Newcombe (1998), method 10.
+Difference difference(const Share& high, const Share& low) {
+  if (high.judged == 0 || low.judged == 0) return {};
+  const Interval one = wilson_interval(high.captured, high.judged, kConfidence),
+                 two = wilson_interval(low.captured, low.judged, kConfidence);
+  const double p = high.value(), q = low.value();
+  return {p - q, p - q - std::hypot(p - one.lower, two.upper - q), p - q + std::hypot(one.upper - p, q - two.lower)};
+}
+
+// Shares of captures with a value above the median of all, and of the others.
+Difference split_at_median(const std::vector<double>& values, const std::vector<double>& captured) {
+  std::vector<double> known;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!std::isnan(captured[i]) && std::isfinite(values[i])) known.push_back(values[i]);
+  }
+  if (known.empty()) return {};
+  const double median = EmpiricalDistribution(known).quantile(0.5);
+  Share high, low;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (std::isnan(captured[i]) || !std::isfinite(values[i])) continue;
+    Share& share = values[i] > median ? high : low;
+    ++share.judged;
+    share.captured += captured[i] == 1 ? 1 : 0;
+  }
+  return difference(high, low);
+}
+
+std::vector<double> distances_from_median(const std::vector<double>& values) {
+  std::vector<double> known;
+  std::ranges::copy_if(values, std::back_inserter(known), [](double v) { return std::isfinite(v); });
+  std::vector<double> distances = values;
+  if (known.empty()) return distances;
+  const double median = EmpiricalDistribution(known).quantile(0.5);
+  for (double& value : distances) value = std::abs(value - median);
+  return distances;
+}
+
+// Bars of a tornado: a thick line for the difference, a thin one for its interval.
+void add_bar(Panel& panel, double height, const Difference& d, FigureColour colour, const std::string& label) {
+  Curve bar = line(colour, 5, label), interval = line(kBlack, 0.8);
+  bar.x = {0, d.value};
+  interval.x = {d.lower, d.upper};
+  bar.y = interval.y = {height, height};
+  panel.curves.insert(panel.curves.end(), {bar, interval});
+}
+
+Figure influence(const StudyResults& results) {
+  const auto all = input_influences(results);
+  Figure figure{.title = "What decides the capture", .panels = {{}}, .width_mm = 160};
+  figure.height_mm = 40 + 9 * static_cast<double>(all.size());
+  Panel& panel = figure.panels[0];
+  panel.x.title = "Change of the probability of capture, with 95 % intervals";
+  std::string names;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const InputInfluence& in = all[i];
+    const double height = -static_cast<double>(i + 1);
+    add_bar(panel, height + 0.15, {in.difference, in.lower, in.upper}, kBlue, i == 0 ? "large against small" : "");
+    add_bar(panel, height - 0.15, {in.spread, in.spread_lower, in.spread_upper}, kOrange,
+            i == 0 ? "far from the median against near" : "");
+    panel.y.names.push_back({height, plain_text(results.inputs[in.input].name)});
+  }
+  panel.y.limits = AxisLimits{-static_cast<double>(all.size()) - 0.7, -0.3};
+  return figure;
+}
+
+Figure parallel_coordinates(const StudyResults& results) {
+  constexpr std::size_t kMostLines = 400;
+  Figure figure{.title = "Captures over the inputs", .panels = {{}}, .width_mm = 240, .height_mm = 110};
+  Panel& panel = figure.panels[0];
+  panel.y.title = "From smallest to largest";
+  Curve captured = line(kSkyBlue, 0.4, "captured");
+  Curve missed = line(kVermillion, 0.4, "missed");
+  std::vector<Range> ranges;
+  for (const Column& input : results.inputs) ranges.push_back(range_of(input));
+  for (std::size_t i = 0; i < std::min(results.size(), kMostLines); ++i) {
+    if (std::isnan(results.captured[i])) continue;
+    Curve& curve = results.captured[i] == 1 ? captured : missed;
+    for (std::size_t c = 0; c < ranges.size(); ++c) {
+      curve.x.push_back(static_cast<double>(c + 1));
+      curve.y.push_back(ranges[c].fraction(results.inputs[c].values[i]));
+    }
+    curve.x.push_back(kGapInCurve);
+    curve.y.push_back(kGapInCurve);
+  }
+  for (std::size_t c = 0; c < ranges.size(); ++c) {
+    const std::string& name = results.inputs[c].name;
+    // Without its group, which would not find room.
+    panel.x.names.push_back({static_cast<double>(c + 1), plain_text(name.substr(name.find('.') + 1))});
+  }
+  panel.curves = {captured, missed};
+  return figure;
+}
+
+Figure scatter_matrix(const StudyResults& results) {
+  const auto inputs = deciding_inputs(results, 4);
+  const auto count = static_cast<int>(inputs.size());
+  Figure figure{.title = "Captures over pairs of inputs",
+                .panels = {},
+                .columns = std::max(1, count),
+                .width_mm = 240,
+                .height_mm = 220};
+  for (const Column* y : inputs) {
+    for (const Column* x : inputs) {
+      Panel panel = panel_of(axis_title(*x), axis_title(*y), {});
+      if (x == y) {
+        panel.y.title = "Share below";
+        panel.curves = {steps_of(*x)};
+      } else {
+        panel.curves = captures_over(results, *x, *y, false);
+      }
+      figure.panels.push_back(std::move(panel));
+    }
+  }
+  if (figure.panels.empty()) figure.panels.emplace_back();
+  return figure;
+}
+
+using MakeStudyFigure = Figure (*)(const StudyResults&);
+
+const std::vector<std::pair<std::string, MakeStudyFigure>> kStudyFigures = {
+    {"capture_map", capture_map},
+    {"convergence", convergence},
+    {"distributions", distributions},
+    {"influence", influence},
+    {"parallel_coordinates", parallel_coordinates},
+    {"scatter_matrix", scatter_matrix}};
+
+}  // namespace
+
+const std::vector<std::string>& study_figure_names() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> list;
+    for (const auto& [name, make] : kStudyFigures) list.push_back(name);
+    return list;
+  }();
+  return names;
+}
+
+Figure make_study_figure(std::string_view name, const StudyResults& results) {
+  for (const auto& [known, make] : kStudyFigures) {
+    if (known == name) return make(results);
+  }
+  throw FigureError(
+      fmt::format("\"{}\" is no figure of a study; these are: {}", name, fmt::join(study_figure_names(), ", ")));
+}
+
+std::vector<InputInfluence> input_influences(const StudyResults& results) {
+  std::vector<InputInfluence> list;
+  for (std::size_t i = 0; i < results.inputs.size(); ++i) {
+    const std::vector<double>& values = results.inputs[i].values;
+    const Difference shift = split_at_median(values, results.captured);
+    const Difference spread = split_at_median(distances_from_median(values), results.captured);
+    list.push_back({i, shift.value, shift.lower, shift.upper, spread.value, spread.lower, spread.upper});
+  }
+  const bool is_judged = std::ranges::any_of(results.captured, [](double c) { return !std::isnan(c); });
+  if (!is_judged) return {};
+  std::ranges::stable_sort(list, [](const auto& a, const auto& b) { return a.size() > b.size(); });
+  return list;
+}
+
+}  // namespace netpocket
