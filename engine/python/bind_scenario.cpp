@@ -18,7 +18,7 @@ void demand(const Diagnostics& problems) {
 
 // Thrown as KeyError, with the nearest key.
 const Parameter& parameter_of(const Scenario& scenario, const std::string& key) {
-  if (const Parameter* parameter = find_parameter(key, scenario.system)) return *parameter;
+  if (const Parameter* parameter = find_parameter(key, scenario)) return *parameter;
   std::string text = fmt::format("there is no parameter \"{}\"", key);
   if (const auto nearest = nearest_parameter_key(key, scenario.system)) {
     text += fmt::format("; did you mean \"{}\"?", *nearest);
@@ -135,7 +135,7 @@ void set_item(Scenario& scenario, const std::string& key, const py::handle& obje
 
 std::vector<std::string> keys_of(const Scenario& scenario) {
   std::vector<std::string> keys;
-  for (const Parameter& parameter : parameters(scenario.system)) keys.emplace_back(parameter.key);
+  for (const Parameter* parameter : parameters_of(scenario)) keys.emplace_back(parameter->key);
   return keys;
 }
 
@@ -196,8 +196,8 @@ void bind_scenario(py::module_& module) {
            })
       .def("__setitem__", &set_item)
       .def("__contains__",
-           [](const Scenario& s, const std::string& key) { return find_parameter(key, s.system) != nullptr; })
-      .def("__len__", [](const Scenario& s) { return parameters(s.system).size(); })
+           [](const Scenario& s, const std::string& key) { return find_parameter(key, s) != nullptr; })
+      .def("__len__", [](const Scenario& s) { return parameters_of(s).size(); })
       .def("__iter__", [](const Scenario& s) { return py::iter(py::cast(keys_of(s))); })
       .def("keys", &keys_of)
       .def(

@@ -279,7 +279,7 @@ class StudyReader {
   void read_range(const std::string& key, const toml::table& range, const Scenario& scenario) {
     check_names(range, {"from", "to", "steps", "scale"});
     Axis axis{.key = key};
-    const Parameter* parameter = find_parameter(key, scenario.system);
+    const Parameter* parameter = find_parameter(key, scenario);
     axis.whole = parameter && parameter->type == ParameterType::integer;
     const auto number = [&](const char* end, double& value) {
       const toml::node* node = range.get(end);

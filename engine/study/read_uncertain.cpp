@@ -70,7 +70,7 @@ class UncertainReader {
     input.distribution = *distribution;
     input.is_relative = table["relative"].value_or(false);
     input.steps = static_cast<int>(std::clamp<std::int64_t>(table["steps"].value_or(std::int64_t{0}), 0, 100000));
-    const Parameter* parameter = find_parameter(key, scenario_.system);
+    const Parameter* parameter = find_parameter(key, scenario_);
     const bool is_vector = parameter && parameter->type == ParameterType::vector;
     if (input.is_relative && !is_vector && !number_of(scenario_, key)) {
       return report_(table, key, "is no number and no vector, so no value of it can be relative");

@@ -61,7 +61,7 @@ double* number_at(ParameterValue& value, const std::vector<std::size_t>& indices
 }
 
 Diagnostics apply_to_number(Scenario& scenario, const Setting& setting, const Place& place) {
-  const Parameter* parameter = find_parameter(place.parameter, scenario.system);
+  const Parameter* parameter = find_parameter(place.parameter, scenario);
   if (!parameter) {
     const auto nearest = nearest_parameter_key(place.parameter, scenario.system);
     return single(setting.key, nearest ? fmt::format("is not a parameter; did you mean '{}'?", *nearest)
@@ -99,7 +99,7 @@ Diagnostics apply_setting(Scenario& scenario, const Setting& setting) {
 
 std::optional<double> number_of(const Scenario& scenario, const std::string& key) {
   const auto place = parse_place(key);
-  const Parameter* parameter = place ? find_parameter(place->parameter, scenario.system) : nullptr;
+  const Parameter* parameter = place ? find_parameter(place->parameter, scenario) : nullptr;
   if (!parameter) return std::nullopt;
   ParameterValue value = parameter->get(scenario);
   if (!place->indices.empty()) {
@@ -113,7 +113,7 @@ std::optional<double> number_of(const Scenario& scenario, const std::string& key
 
 std::string value_of(const Scenario& scenario, const std::string& key) {
   if (key.find('[') != key.npos) return fmt::format("{}", number_of(scenario, key).value());
-  const Parameter* parameter = find_parameter(key, scenario.system);
+  const Parameter* parameter = find_parameter(key, scenario);
   return toml_text(*parameter, parameter->get(scenario));
 }
 

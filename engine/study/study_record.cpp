@@ -95,7 +95,7 @@ std::vector<std::string> used_keys(const Study& study) {
   std::vector<std::string> used;
   for (const UncertainInput& input : study.uncertain) {
     for (const std::string& key : keys_of(input)) {
-      const Parameter* parameter = find_parameter(key, study.base.system);
+      const Parameter* parameter = find_parameter(key, study.base);
       const bool is_vector = parameter && parameter->type == ParameterType::vector;
       for (int i = 0; is_vector && i < 3; ++i) used.push_back(fmt::format("{}[{}]", key, i));
       if (!is_vector) used.push_back(key);

@@ -90,7 +90,7 @@ std::vector<std::string> varied_keys(const Study& study) {
 }
 
 std::string unit_of(const Study& study, const std::string& key) {
-  const Parameter* parameter = find_parameter(key.substr(0, key.find('[')), study.base.system);
+  const Parameter* parameter = find_parameter(key.substr(0, key.find('[')), study.base);
   if (!parameter) return "";
   const bool is_number = parameter->type == ParameterType::number || parameter->type == ParameterType::integer ||
                          parameter->type == ParameterType::vector;
@@ -98,7 +98,7 @@ std::string unit_of(const Study& study, const std::string& key) {
 }
 
 std::string help_of(const Study& study, const std::string& key) {
-  const Parameter* parameter = find_parameter(key.substr(0, key.find('[')), study.base.system);
+  const Parameter* parameter = find_parameter(key.substr(0, key.find('[')), study.base);
   return parameter ? std::string(parameter->help) : "";
 }
 

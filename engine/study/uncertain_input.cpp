@@ -26,7 +26,7 @@ std::string vector_text(const Eigen::Vector3d& v) {
 std::string scaled_text(const std::string& key, double factor, const Scenario& nominal) {
   const auto number = number_of(nominal, key);
   if (number) return number_text(factor * *number);
-  const Parameter* parameter = find_parameter(key, nominal.system);
+  const Parameter* parameter = find_parameter(key, nominal);
   return vector_text(factor * std::get<Eigen::Vector3d>(parameter->get(nominal)));
 }
 
@@ -34,7 +34,7 @@ std::string drawn_text(const UncertainNumber& input, double fraction, const Scen
   const double value = quantile(input.distribution, fraction);
   if (!input.choices.empty()) return input.choices[static_cast<std::size_t>(value)];
   if (input.is_relative) return scaled_text(input.key, value, nominal);
-  const Parameter* parameter = find_parameter(input.key, nominal.system);
+  const Parameter* parameter = find_parameter(input.key, nominal);
   const bool is_whole = parameter && parameter->type == ParameterType::integer;
   return is_whole ? fmt::format("{}", std::llround(value)) : number_text(value);
 }

@@ -105,6 +105,15 @@ def test_copies_are_independent(scenario):
         assert other != scenario and scenario["closing.duration"] == 10
 
 
+def test_items_of_lists_are_reached_by_their_number():
+    scenario = netpocket.loads('[[controller]]\nkind = "attitude_pd"\nrate = 20\n')
+    assert scenario["controller.0.rate"] == 20 and "controller.0.rate" in scenario.keys()
+    scenario["controller.0.rate"] = 50
+    assert netpocket.loads(scenario.text())["controller.0.rate"] == 50
+    with pytest.raises(KeyError):
+        scenario["controller.1.rate"]
+
+
 def test_shipped_scenarios_load():
     import os
     import pathlib
