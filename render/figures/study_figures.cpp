@@ -271,6 +271,13 @@ Figure influence(const StudyResults& results) {
     panel.y.names.push_back({height, plain_text(results.inputs[in.input].name)});
   }
   panel.y.limits = AxisLimits{-static_cast<double>(all.size()) - 0.7, -0.3};
+  double farthest = 0.1;
+  for (const InputInfluence& in : all) {
+    for (const double end : {in.lower, in.upper, in.spread_lower, in.spread_upper}) {
+      farthest = std::max(farthest, std::abs(end));
+    }
+  }
+  panel.x.limits = AxisLimits{-1.05 * farthest, 1.05 * farthest};
   return figure;
 }
 
@@ -299,6 +306,8 @@ Figure parallel_coordinates(const StudyResults& results) {
     panel.x.names.push_back({static_cast<double>(c + 1), plain_text(name.substr(name.find('.') + 1))});
   }
   panel.curves = {captured, missed};
+  // Names of the outer inputs need room.
+  panel.x.limits = AxisLimits{0.5, static_cast<double>(ranges.size()) + 0.5};
   return figure;
 }
 
