@@ -24,27 +24,65 @@ std::string words_of(std::string name) {
   return name;
 }
 
-std::string axis_title(const ChannelInfo& channel) {
-  const std::string words = plain_text(words_of(channel.name));
-  return channel.unit == "1" ? words : fmt::format("{} ({})", words, plain_text(channel.unit));
+// What names differ in: "attitude_x" has the stem "attitude" and the component "x"; "wheel_momentum_2" has "2".
+std::string stem_of(const std::string& name) { return name.substr(0, name.rfind('_')); }
+std::string component_of(const std::string& name) { return name.substr(name.rfind('_') + 1); }
+
+// Channels that are components of one quantity.
+using Group = std::vector<ChannelInfo>;
+
+bool belong_together(const ChannelInfo& a, const ChannelInfo& b) {
+  return a.unit == b.unit && a.meaning == b.meaning && stem_of(a.name) == stem_of(b.name);
 }
 
-Panel panel_of(const ChannelInfo& channel, const std::vector<RunSeries>& runs) {
+std::vector<Group> groups_of(const ChannelList& channels) {
+  std::vector<Group> groups;
+  for (const ChannelInfo& channel : channels) {
+    if (!is_own(channel)) continue;
+    if (groups.empty() || !belong_together(groups.back().back(), channel)) groups.emplace_back();
+    groups.back().push_back(channel);
+  }
+  return groups;
+}
+
+std::string axis_title(const Group& group) {
+  const ChannelInfo& first = group.front();
+  const std::string words = plain_text(words_of(group.size() > 1 ? stem_of(first.name) : first.name));
+  return first.unit == "1" ? words : fmt::format("{} ({})", words, plain_text(first.unit));
+}
+
+// One run: a colour for each component. Several: a colour for each run and a dash for each component.
+Curve curve_of(const RunSeries& run, std::size_t channel, std::size_t colour, std::size_t dash) {
+  constexpr double kDash = 3;  // points
+  Curve curve;
+  curve.x = run.times();
+  curve.y = run.channels[channel];
+  curve.colour = kRunColours[colour % kRunColours.size()];
+  if (dash > 0) curve.dash = {kDash / static_cast<double>(dash), kDash / 2};
+  return curve;
+}
+
+Panel panel_of(const Group& group, const std::vector<RunSeries>& runs) {
   Panel panel;
-  std::string meaning = channel.meaning.empty() ? channel.name : channel.meaning;
-  panel.title = plain_text(words_of(std::move(meaning)));
+  const ChannelInfo& first = group.front();
+  panel.title = plain_text(words_of(first.meaning.empty() ? first.name : first.meaning));
   panel.x.title = "Time (s)";
-  panel.y.title = axis_title(channel);
+  panel.y.title = axis_title(group);
   panel.phases = common_phases(runs);
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    const auto index = runs[i].channel_list->find(channel.name);
-    if (!index) continue;
-    Curve curve;
-    curve.x = runs[i].times();
-    curve.y = runs[i].channels[*index];
-    curve.colour = kRunColours[i % kRunColours.size()];
-    if (runs.size() > 1) curve.label = plain_text(runs[i].name);
-    panel.curves.push_back(std::move(curve));
+  const bool one_run = runs.size() == 1;
+  for (std::size_t run = 0; run < runs.size(); ++run) {
+    for (std::size_t component = 0; component < group.size(); ++component) {
+      const auto index = runs[run].channel_list->find(group[component].name);
+      if (!index) continue;
+      Curve curve = one_run ? curve_of(runs[run], *index, component, component / kRunColours.size())
+                            : curve_of(runs[run], *index, run, component);
+      std::string label = one_run ? "" : plain_text(runs[run].name);
+      if (group.size() > 1) {
+        label += (label.empty() ? "" : " ") + plain_text(component_of(group[component].name));
+      }
+      curve.label = std::move(label);
+      panel.curves.push_back(std::move(curve));
+    }
   }
   return panel;
 }
@@ -58,9 +96,7 @@ Figure own_channels_figure(const std::vector<RunSeries>& runs) {
   figure.title = runs.size() == 1 && !runs.front().name.empty()
                      ? fmt::format("Channels of the system: {}", plain_text(runs.front().name))
                      : "Channels of the system";
-  for (const ChannelInfo& channel : *runs.front().channel_list) {
-    if (is_own(channel)) figure.panels.push_back(panel_of(channel, runs));
-  }
+  for (const Group& group : groups_of(*runs.front().channel_list)) figure.panels.push_back(panel_of(group, runs));
   if (figure.panels.empty()) figure.panels.emplace_back();  // says that there is no data
   const std::size_t columns = std::min(kColumns, figure.panels.size());
   figure.columns = static_cast<int>(columns);

@@ -11,7 +11,8 @@ namespace netpocket {
 
 bool has_own_channels(const RunSeries& run);
 
-// One panel for each such channel of the first run, with a curve for every run that has it.
+// One panel for each such channel of the first run, with a curve for every run that has it. Components of one quantity
+// (same meaning and unit, names that differ after the last underscore) share a panel.
 Figure own_channels_figure(const std::vector<RunSeries>& runs);
 
 }  // namespace netpocket

@@ -241,5 +241,31 @@ TEST_F(PaperFigures, SayWhyADirectoryCannotBeUsed) {
   }
 }
 
+TEST_F(PaperFigures, ComponentsOfOneQuantityShareAPanel) {
+  RunSeries run;
+  run.name = "run";
+  run.begin(std::make_shared<const ChannelList>(std::vector<ChannelInfo>{{"time", "s", "time"},
+                                                                         {"push_x", "N", "push"},
+                                                                         {"push_y", "N", "push"},
+                                                                         {"push_z", "N", "push"},
+                                                                         {"spin_x", "rad/s", "spin"},
+                                                                         {"mass", "kg", "mass"}}));
+  for (const double t : {0.0, 1.0}) run.append({t, 1, 2, 3, 4, 5});
+  const Figure figure = make_figure("own_channels", {run});
+  ASSERT_EQ(figure.panels.size(), 3u);
+  ASSERT_EQ(figure.panels[0].curves.size(), 3u);
+  EXPECT_EQ(figure.panels[0].curves[2].label, "z");
+  EXPECT_EQ(figure.panels[0].curves[2].y, (std::vector<double>{3, 3}));
+  EXPECT_EQ(figure.panels[0].y.title, "Push (N)");
+  EXPECT_EQ(figure.panels[1].y.title, "Spin x (rad/s)");
+  EXPECT_TRUE(figure.panels[2].curves[0].label.empty());
+  RunSeries other = run;
+  other.name = "other";
+  const Figure both = make_figure("own_channels", {run, other});
+  ASSERT_EQ(both.panels[0].curves.size(), 6u);
+  EXPECT_EQ(both.panels[0].curves[4].label, "other y");
+  EXPECT_NE(both.panels[0].curves[4].dash, both.panels[0].curves[5].dash);
+}
+
 }  // namespace
 }  // namespace netpocket
