@@ -307,7 +307,7 @@ Figure parallel_coordinates(const StudyResults& results) {
   }
   panel.curves = {captured, missed};
   // Names of the outer inputs need room.
-  panel.x.limits = AxisLimits{0.5, static_cast<double>(ranges.size()) + 0.5};
+  panel.x.limits = AxisLimits{0.5, static_cast<double>(std::max<std::size_t>(ranges.size(), 1)) + 0.5};
   return figure;
 }
 
