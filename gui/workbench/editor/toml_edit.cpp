@@ -77,9 +77,19 @@ std::string insert_line(std::string_view text, std::size_t after, const std::str
 std::size_t last_line(const toml::table& table) {
   toml::source_index line = table.source().begin.line;
   for (const auto& [key, node] : table) {
-    if (!node.is_table()) line = std::max(line, node.source().end.line);
+    if (!node.is_table() && !node.is_array_of_tables()) line = std::max(line, node.source().end.line);
   }
   return line;
+}
+
+// Whether the table has a header of its own. "[[actuators.wheel]]" alone makes a table "actuators" without one.
+bool has_header(std::string_view text, const toml::table& table, std::string_view name) {
+  const auto lines = split_lines(text);
+  const std::size_t line = table.source().begin.line;
+  if (line == 0 || line > lines.size()) return false;
+  std::string header(lines[line - 1]);
+  std::erase_if(header, [](char byte) { return byte == ' ' || byte == '\t'; });
+  return header.starts_with("[" + std::string(name) + "]");
 }
 
 }  // namespace
@@ -101,7 +111,7 @@ std::optional<std::string> with_value(std::string_view text, const Parameter& pa
   if (parameter.group().empty()) return line + '\n' + std::string(text);
   const toml::table* table = (*file)[parameter.group()].as_table();
   if (table && table->is_inline()) return std::nullopt;
-  if (table) return insert_line(text, last_line(*table), line);
+  if (table && has_header(text, *table, parameter.group())) return insert_line(text, last_line(*table), line);
   std::string result(text);
   if (!result.empty() && result.back() != '\n') result += '\n';
   if (!result.empty()) result += '\n';

@@ -54,6 +54,16 @@ TEST(TomlEdit, ReplacesValuesOverSeveralLines) {
   EXPECT_EQ(result.scenario.rods.density, 164);
 }
 
+TEST(TomlEdit, KeepsKeysOfATableOutOfTheListsInIt) {
+  const Parameter& box = parameter("actuators.most_force");
+  const Eigen::Vector3d force(1, 2, 3);
+  EXPECT_EQ(
+      with_value("[actuators]\nkind = \"thrusters\"\n\n[[actuators.thruster]]\nposition = [0, 1, 0]\n", box, force),
+      "[actuators]\nkind = \"thrusters\"\nmost_force = [1, 2, 3]\n\n[[actuators.thruster]]\nposition = [0, 1, 0]\n");
+  EXPECT_EQ(with_value("[[actuators.wheel]]\naxis = [1, 0, 0]\n", box, force),
+            "[[actuators.wheel]]\naxis = [1, 0, 0]\n\n[actuators]\nmost_force = [1, 2, 3]\n");
+}
+
 TEST(TomlEdit, LeavesInlineTablesAlone) {
   EXPECT_FALSE(with_value("target = { radius = 4 }\n", parameter("target.mass"), 1.0));
 }
