@@ -69,7 +69,7 @@ def test_other_threads_run_while_it_advances(scenario):
     counted = 0
 
     def advance():
-        simulation.advance(2)
+        simulation.advance(20)
         done.set()
 
     worker = threading.Thread(target=advance)
@@ -83,19 +83,20 @@ def test_other_threads_run_while_it_advances(scenario):
 
 def test_two_threads_at_one_simulation_get_an_error_and_no_crash(scenario):
     simulation = netpocket.Simulation(scenario)
-    entered = threading.Event()
+    entered, released = threading.Event(), threading.Event()
 
     def wait(seen, interval, commands):
         entered.set()
-        time.sleep(0.05)
+        released.wait(60)
 
     simulation.add_controller(wait, rate=10)
     worker = threading.Thread(target=lambda: simulation.advance(0.3))
     worker.start()
-    entered.wait(10)
+    assert entered.wait(60)
     for use in (simulation.snapshot, simulation.checkpoint, lambda: simulation.advance(1), lambda: simulation.step()):
         with pytest.raises(RuntimeError, match="another thread"):
             use()
+    released.set()
     worker.join()
     simulation.advance(0.4)
 
