@@ -2,11 +2,10 @@
 
 #include <atomic>
 #include <chrono>
-#include <cmath>
 #include <stdexcept>
 #include <thread>
 
-#include "engine/capture/simulation.h"
+#include "engine/capture/observe_run.h"
 #include "engine/python/conversions.h"
 #include "engine/scenario/check_scenario.h"
 
@@ -18,21 +17,12 @@ MemoryRun run(const Scenario& scenario, const std::stop_token& stop) {
   MemoryRun result;
   result.channels = simulation.structure().channels;
   result.values.resize(result.channels->size());
-  const double end = scenario.output.end_time, rate = scenario.output.frame_rate;
-  const auto frames = static_cast<std::int64_t>(std::ceil(end * rate - 1e-9));
-  result.status = {RunReason::finished, 0, "reached the end time"};
-  for (std::int64_t frame = 0; frame <= frames; ++frame) {
-    if (frame > 0) {
-      const RunStatus status = simulation.advance(std::min(end, static_cast<double>(frame) / rate), stop);
-      result.status.time = status.time;
-      if (status.reason != RunReason::finished) result.status = status;
-      if (status.reason == RunReason::stopped) break;
-    }
-    const Snapshot snapshot = simulation.snapshot();
-    for (std::size_t i = 0; i < result.values.size(); ++i) result.values[i].push_back(snapshot.channels[i]);
-    if (result.status.reason == RunReason::diverged) break;
-  }
-  result.statistics = simulation.statistics();
+  const auto keep = [&](const Snapshot& frame) {
+    for (std::size_t i = 0; i < result.values.size(); ++i) result.values[i].push_back(frame.channels[i]);
+  };
+  const RunResult outcome = observe_run(simulation, keep, stop);
+  result.status = outcome.status;
+  result.statistics = outcome.statistics;
   return result;
 }
 
