@@ -31,7 +31,9 @@ NETPOCKET_INLINE void add_regular(const UpdateView& view, const CoordinateBlock&
   }
 }
 
-NETPOCKET_INLINE void add_irregular(const UpdateView& view, const CoordinateBlock& block, int part, SimdVector& force) {
+// Not inline, because lanes that are written one by one would keep the forces of all blocks in memory.
+[[gnu::noinline]] void add_irregular(const UpdateView& view, const CoordinateBlock& block, int part,
+                                     SimdVector& force) {
   const LaneContribution* contribution = view.lane_contributions + block.first;
   for (std::int32_t i = 0; i < block.count; ++i, ++contribution) {
     if (contribution->coordinate_lane / kWidth != part) continue;
@@ -81,10 +83,11 @@ NETPOCKET_INLINE SimdVector force_on(const UpdateView& view, const CoordinateBlo
   }
   if (block.regular) {
     add_regular<kPrefetches>(view, block, part, force);
-  } else {
-    add_irregular(view, block, part, force);
+    return force;
   }
-  return force;
+  SimdVector irregular = force;
+  add_irregular(view, block, part, irregular);
+  return irregular;
 }
 
 template <bool kPrefetches, bool kPositions>

@@ -15,33 +15,114 @@ struct Kernels {
   contact_kernel::ShareKernel share;
   contact_kernel::ApplyKernel apply;
   contact_kernel::BodyKernel forces_on_body;
+  sphere_kernel::PlacingKernel place;
 };
 
 const Kernels& kernels() {
   using namespace contact_kernel;
-  static const Kernels chosen = {NETPOCKET_VARIANT_OF(contact_kernel, share),
-                                 NETPOCKET_VARIANT_OF(contact_kernel, apply),
-                                 NETPOCKET_VARIANT_OF(contact_kernel, forces_on_body)};
+  static const Kernels chosen = {
+      NETPOCKET_VARIANT_OF(contact_kernel, share), NETPOCKET_VARIANT_OF(contact_kernel, apply),
+      NETPOCKET_VARIANT_OF(contact_kernel, forces_on_body), NETPOCKET_VARIANT_OF(sphere_kernel, place)};
   return chosen;
 }
 
 }  // namespace
 
-std::size_t open_blocks(std::span<const CordTouch> touches, std::int32_t body, AlignedVector<ContactBlock>& contacts) {
+ContactBlock& ContactBlocks::insert(std::size_t index) {
+  append() = ContactBlock{};
+  const auto place = blocks_.begin() + static_cast<std::ptrdiff_t>(index);
+  const auto end = blocks_.begin() + static_cast<std::ptrdiff_t>(count_);
+  std::rotate(place, end - 1, end);
+  return *place;
+}
+
+std::size_t open_blocks(std::span<const CordTouch> touches, std::int32_t body, ContactBlocks& contacts) {
   const std::size_t first = contacts.size();
   for (const CordTouch& touch : touches) {
     const auto comes_before = [&](const ContactBlock& block) {
       return std::pair(block.first_part, block.first_place) < std::pair(touch.part, touch.first_place);
     };
-    auto place = contacts.begin() + static_cast<std::ptrdiff_t>(first);
-    while (place != contacts.end() && comes_before(*place)) ++place;
-    if (place != contacts.end() && place->first_part == touch.part && place->first_place == touch.first_place) continue;
-    ContactBlock& block = *contacts.emplace(place);
+    std::size_t place = first;
+    while (place != contacts.size() && comes_before(contacts[place])) ++place;
+    const bool is_open = place != contacts.size() && contacts[place].first_part == touch.part &&
+                         contacts[place].first_place == touch.first_place;
+    if (is_open) continue;
+    ContactBlock& block = contacts.insert(place);
     block.body = body;
     block.first_part = touch.part;
     block.first_place = touch.first_place;
   }
   return first;
+}
+
+namespace {
+
+// The block of elements in whose lanes all touches are, each in the lane of its element; -1 if there is none.
+std::int32_t common_block(const TouchBlock& touch) {
+  const std::int32_t block = touch.element[std::countr_zero(touch.used)] / kBlockSize;
+  for (int lane = 0; lane < kBlockSize; ++lane) {
+    if ((touch.used >> lane & 1U) != 0 && touch.element[lane] != block * kBlockSize + lane) return -1;
+  }
+  return block;
+}
+
+// The place, of the elements in another block, at which they share the holder of `touch`.
+std::int32_t place_of(const TouchBlock& touch, std::int32_t block) {
+  return block == touch.block ? touch.place : SphereTouches::kPlaces - 1 - touch.place;
+}
+
+struct alignas(64) ElementRows {
+  double length[kBlockSize];
+  LawRows laws;
+};
+
+// Of touches of elements in several blocks.
+void collect_elements(const TouchBlock& touch, const ContactSearch& search, double body_mass, const ElementBatch& batch,
+                      ContactLaws& laws, ElementRows& rows, ContactBlock& contacts) {
+  for (int lane = 0; lane < kBlockSize; ++lane) {
+    const bool is_used = (touch.used >> lane & 1U) != 0;
+    const std::int32_t element = is_used ? touch.element[lane] : touch.element[std::countr_zero(touch.used)];
+    const std::int32_t block = element / kBlockSize, own = element % kBlockSize;
+    const bool is_first = element == touch.block * kBlockSize + lane;
+    const std::int32_t place = is_first ? touch.place : SphereTouches::kPlaces - 1 - touch.place;
+    rows.length[lane] = batch.block(block).length[own];
+    const LawRows& of_element = laws.of_block(block, place, search, body_mass);
+    rows.laws.stiffness[lane] = of_element.stiffness[own];
+    rows.laws.damping[lane] = of_element.damping[own];
+    rows.laws.impact[lane] = of_element.impact[own];
+    rows.laws.deepest[lane] = of_element.deepest[own];
+    for (int corner = 0; corner < 4; ++corner) {
+      contacts.coordinate[corner][lane] = batch.block(block).coordinate[corner][own];
+    }
+  }
+}
+
+}  // namespace
+
+void place_touches(const TouchBlock& touch, std::int32_t body, const ContactSearch& search, double body_mass,
+                   const ElementBatch& batch, ContactLaws& laws, ContactBlock& contacts) {
+  contacts.body = body;
+  contacts.first_part = 0;
+  contacts.first_place = touch.place;
+  contacts.used = touch.used;
+  contacts.feeds = false;
+  std::ranges::copy(touch.element, contacts.element);
+  std::ranges::fill(contacts.part, 0);
+  std::fill_n(&contacts.place[0][0], 4 * kBlockSize, 0);
+  std::copy_n(search.sphere_touches().holders(touch.block, touch.place), kBlockSize, contacts.holder);
+  std::copy_n(search.sphere_touches().are_cord_ends(touch.block, touch.place), kBlockSize, contacts.is_cord_end);
+  const contact_kernel::Vertex* vertices = search.vertices().data();
+  const std::int32_t block = common_block(touch);
+  if (block >= 0) {
+    const ElementBlock& elements = batch.block(block);
+    std::copy_n(&elements.coordinate[0][0], 4 * kBlockSize, &contacts.coordinate[0][0]);
+    kernels().place(touch.rows, touch.used, laws.of_block(block, place_of(touch, block), search, body_mass), vertices,
+                    elements.length, contacts);
+    return;
+  }
+  ElementRows rows;
+  collect_elements(touch, search, body_mass, batch, laws, rows, contacts);
+  kernels().place(touch.rows, touch.used, rows.laws, vertices, rows.length, contacts);
 }
 
 void find_runs(const ElementBatch& batch, std::span<ContactBlock> contacts) {

@@ -15,6 +15,7 @@
 #include "engine/dynamics/assembly/applied_forces.h"
 #include "engine/dynamics/assembly/dynamic_body.h"
 #include "engine/dynamics/contact/contact_kernel.h"
+#include "engine/dynamics/contact/contact_laws.h"
 #include "engine/dynamics/contact/contact_search.h"
 #include "engine/dynamics/contact/contacted_coordinates.h"
 
@@ -26,9 +27,41 @@ void for_each_lane(const ContactBlock& block, const Function& function) {
   for (std::uint32_t left = block.used; left != 0; left &= left - 1) function(std::countr_zero(left));
 }
 
+// Blocks of contacts. Keeps its memory between steps, because most of a block's rows are set anew anyway.
+class ContactBlocks {
+ public:
+  void clear() { count_ = 0; }
+  std::size_t size() const { return count_; }
+  ContactBlock& operator[](std::size_t index) { return blocks_[index]; }
+  const ContactBlock& operator[](std::size_t index) const { return blocks_[index]; }
+  std::span<ContactBlock> from(std::size_t first) { return std::span(blocks_.data(), count_).subspan(first); }
+  std::span<ContactBlock> range(std::size_t first, std::size_t last) {
+    return {blocks_.data() + first, blocks_.data() + last};
+  }
+  std::span<const ContactBlock> range(std::size_t first, std::size_t last) const {
+    return {blocks_.data() + first, blocks_.data() + last};
+  }
+
+  // Adds a block at the end, which has any content.
+  ContactBlock& append() {
+    if (count_ == blocks_.size()) blocks_.emplace_back();
+    return blocks_[count_++];
+  }
+  // Adds a block without contacts, all zero, before the block of this index.
+  ContactBlock& insert(std::size_t index);
+
+ private:
+  AlignedVector<ContactBlock> blocks_;
+  std::size_t count_ = 0;
+};
+
 // Appends blocks for touches whose first elements are in one block of elements: one for each place of the elements and
 // part of the body, in this order. Returns the index of the first.
-std::size_t open_blocks(std::span<const CordTouch> touches, std::int32_t body, AlignedVector<ContactBlock>& contacts);
+std::size_t open_blocks(std::span<const CordTouch> touches, std::int32_t body, ContactBlocks& contacts);
+// Sets all that a touch determines, for contacts with a body of one part and springs that begin at the surface.
+// `search` is the one that found it.
+void place_touches(const TouchBlock& touch, std::int32_t body, const ContactSearch& search, double body_mass,
+                   const ElementBatch& batch, ContactLaws& laws, ContactBlock& contacts);
 // Sets what blocks know of the elements in their lanes: ContactBlock::is_regular, base, rotation and feeds.
 void find_runs(const ElementBatch& batch, std::span<ContactBlock> contacts);
 // Enters the contacts in `contacted`.

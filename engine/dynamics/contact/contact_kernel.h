@@ -73,22 +73,6 @@ struct ForceView {
 // follows a row with a lower bound (m) of each chain's distance from `centre`.
 using VertexKernel = void (*)(const ElementBlock& block, const Vertex* vertices, std::size_t count,
                               const CoordinateRows& coordinates, const double* centre, double* rows);
-// Places where the chains of four capsules of eight elements touch a sphere much larger than a capsule. By holder of
-// contact (contact_search.h): the element's first node, its middle, its second node.
-struct alignas(64) SpherePlaces {
-  double clearance[kBlockSize];  // m, between the surfaces; the other members are not set where all
-                                 // clearances of a SIMD part are positive
-  double depth[3][kBlockSize];   // m; zero or negative: no contact, and the following members have no meaning
-  double share[3][kBlockSize];
-  double score[3][kBlockSize];                               // as WeightedPlace::score
-  double segment[3][kBlockSize];                             // index of the capsule
-  double t[3][kBlockSize];                                   // position along it, 0 to 1
-  double point[3][3][kBlockSize], normal[3][3][kBlockSize];  // on the axis; outward from the sphere
-};
-// `vertices`: rows of five vertices, as VertexKernel fills them. `thickness`: by lane, radius of the sphere plus radius
-// of the cord (m). `centre`: of the sphere (m).
-using SphereKernel = void (*)(const double* vertices, const double* centre, const double* thickness,
-                              SpherePlaces& places);
 // Computes the forces of `count` blocks of contacts with one body.
 using ForceKernel = void (*)(const ForceView& view, const BodyMotion& body, ContactBlock* contacts, std::size_t count);
 // Adds to `shared_weight`, sums of ContactedCoordinates, the weights of contacts on their coordinates. All contacts of
@@ -121,7 +105,6 @@ using PowerKernel = void (*)(const CoordinateRows& velocities, const BodyMotion&
 
 NETPOCKET_VARIANTS(void vertices(const ElementBlock&, const Vertex*, std::size_t, const CoordinateRows&, const double*,
                                  double*);
-                   void sphere_places(const double*, const double*, const double*, SpherePlaces&);
                    void share(const ContactBlock*, std::size_t, double*);
                    void apply(const ContactBlock*, std::size_t, double*);
                    void forces_on_body(const ContactBlock*, std::size_t, const double*, BodyForces&);

@@ -22,13 +22,12 @@ constexpr double kLargeSphere = 1;
 
 struct SearchKernels {
   contact_kernel::VertexKernel vertices;
-  contact_kernel::SphereKernel sphere;
+  sphere_kernel::PlacesKernel sphere;
 };
 
 const SearchKernels& search_kernels() {
-  using namespace contact_kernel;
   static const SearchKernels chosen = {NETPOCKET_VARIANT_OF(contact_kernel, vertices),
-                                       NETPOCKET_VARIANT_OF(contact_kernel, sphere_places)};
+                                       NETPOCKET_VARIANT_OF(sphere_kernel, places)};
   return chosen;
 }
 
@@ -52,7 +51,8 @@ ContactSearch::ContactSearch(const Model& model, std::span<const std::int32_t> n
       bounding_radius_(netpocket::bounding_radius(model.bodies[static_cast<std::size_t>(body)].shape)),
       smallest_radius_(kNever),
       next_(next.begin(), next.end()),
-      previous_(previous_elements(next_)) {
+      previous_(previous_elements(next_)),
+      sphere_touches_(next_, previous_) {
   for (int i = 0; i <= kSegments; ++i) {
     const NodalWeights weights = shape(2.0 * i / kSegments - 1, 1.0);
     vertices_.push_back({weights[0], weights[1], weights[2], weights[3]});
@@ -107,7 +107,7 @@ void ContactSearch::look_at_block(std::int32_t block, const CoordinateVectors& c
   search_kernels().vertices(batch.block(block), vertices_.data(), vertices_.size(), coordinates.rows(), centre.data(),
                             rows_.data());
   if (is_large_sphere_ && ahead == 0 && pieces_ == kHalves) {
-    look_at_sphere(block, body, touches);
+    look_at_sphere(block, body);
   } else {
     look_at_lanes(block, body, ahead, touches);
   }
@@ -117,6 +117,7 @@ void ContactSearch::look_at_block(std::int32_t block, const CoordinateVectors& c
 void ContactSearch::find(const CoordinateVectors& coordinates, const ElementBatch& batch, const DynamicBody& body,
                          double ahead, std::vector<CordTouch>& touches) {
   touches.clear();
+  sphere_touches_.clear();
   const double limit = approach_ + ahead;
   if (least_due_ > limit) return;
   for (std::size_t first = 0; first < block_due_.size(); first += kBlockSize) {
@@ -146,7 +147,7 @@ ContactSearch::Chain ContactSearch::chain_of_lane(int lane) const {
 }
 
 // Equals look_at_lanes to round-off, for eight elements at once.
-void ContactSearch::look_at_sphere(std::int32_t block, const DynamicBody& body, std::vector<CordTouch>& touches) {
+void ContactSearch::look_at_sphere(std::int32_t block, const DynamicBody& body) {
   const Vector3d centre = body.centre();
   const std::size_t first = static_cast<std::size_t>(block) * kBlockSize;
   const double* thickness = thickness_.data() + first;
@@ -159,28 +160,17 @@ void ContactSearch::look_at_sphere(std::int32_t block, const DynamicBody& body, 
     if (radius_[element] > 0) due_[element] = approach_ + std::max(clearance, 0.0);
   }
   if (!is_near) return;
-  contact_kernel::SpherePlaces places;
+  sphere_kernel::SpherePlaces places;
   search_kernels().sphere(rows_.data(), centre.data(), thickness, places);
+  std::uint32_t near = 0;
   for (int lane = 0; lane < kBlockSize; ++lane) {
     const std::size_t element = first + static_cast<std::size_t>(lane);
     if (radius_[element] < 0) continue;
     const double clearance = places.clearance[lane];
     due_[element] = clearance > 0 ? approach_ + clearance : approach_;
-    if (clearance > 0) continue;
-    for (int holder = 0; holder <= kHalves; ++holder) {
-      const double depth = places.depth[holder][lane], share = places.share[holder][lane];
-      if (!(depth > 0) || !(share > 0)) continue;
-      const double score = places.score[holder][lane];
-      CordTouch* touch = claim(static_cast<std::int32_t>(element), 0, holder, score, touches);
-      if (touch == nullptr) continue;
-      touch->segment = static_cast<std::int32_t>(places.segment[holder][lane]);
-      touch->t = places.t[holder][lane];
-      touch->share = share;
-      touch->penetration = depth;
-      touch->normal = lane_of(places.normal[holder], lane);
-      touch->point = lane_of(places.point[holder], lane);
-    }
+    if (!(clearance > 0)) near |= 1U << lane;
   }
+  if (near != 0) sphere_touches_.add(block, places, near);
 }
 
 void ContactSearch::look_at_lanes(std::int32_t block, const DynamicBody& body, double ahead,

@@ -29,6 +29,7 @@
 #include "engine/dynamics/assembly/dynamic_body.h"
 #include "engine/dynamics/contact/contact_kernel.h"
 #include "engine/dynamics/contact/cord_polyline.h"
+#include "engine/dynamics/contact/sphere_touches.h"
 #include "engine/model/model.h"
 
 namespace netpocket {
@@ -68,15 +69,20 @@ class ContactSearch {
   // any point of the body in it.
   void note_way(double way) { approach_ += way; }
 
-  // Replaces `touches` with all places where cords touch the body or are within `ahead` (m) of it. `batch`: the model's
-  // elements with their present lengths. The order of the places does not depend on earlier calls and is the same in
-  // every sector.
+  // Finds all places where cords touch the body or are within `ahead` (m) of it: those on a large sphere without a
+  // search ahead are sphere_touches(), others replace `touches`. `batch`: the model's elements with their present
+  // lengths. The order of the places does not depend on earlier calls and is the same in every sector.
   void find(const CoordinateVectors& coordinates, const ElementBatch& batch, const DynamicBody& body, double ahead,
             std::vector<CordTouch>& touches);
 
+  const SphereTouches& sphere_touches() const { return sphere_touches_; }
+
   const std::vector<ContactPart>& parts() const { return parts_; }
+  const std::vector<contact_kernel::Vertex>& vertices() const { return vertices_; }  // of the capsule chains
   std::size_t holder_count() const { return static_cast<std::size_t>(pieces_ + 1) * next_.size(); }
   double bounding_radius() const { return bounding_radius_; }
+  // `element`: an index of the model's elements or of what fills their last block.
+  bool can_touch(std::int32_t element) const { return radius_[static_cast<std::size_t>(element)] > 0; }
   double radius_of(std::int32_t element) const { return radius_[static_cast<std::size_t>(element)]; }  // m, of its cord
   double smallest_radius() const { return smallest_radius_; }                                          // of the cords
 
@@ -92,7 +98,7 @@ class ContactSearch {
   void look_at_block(std::int32_t block, const CoordinateVectors& coordinates, const ElementBatch& batch,
                      const DynamicBody& body, double ahead, std::vector<CordTouch>& touches);
   // For the elements of a block whose vertices are in rows_.
-  void look_at_sphere(std::int32_t block, const DynamicBody& body, std::vector<CordTouch>& touches);
+  void look_at_sphere(std::int32_t block, const DynamicBody& body);
   void look_at_lanes(std::int32_t block, const DynamicBody& body, double ahead, std::vector<CordTouch>& touches);
   Chain chain_of_lane(int lane) const;
   static bool is_touchable(const Model& model, std::int32_t element, std::int32_t body);
@@ -127,6 +133,7 @@ class ContactSearch {
   double least_due_ = 0;             // the least due_ of all elements
   double approach_ = 0;              // m, sum of note_way since forget()
   AlignedVector<double> rows_;       // vertices of one block
+  SphereTouches sphere_touches_;
   // By part and holder: index into the touches that are being found, or -1.
   std::vector<std::vector<std::int32_t>> holder_touch_;
   std::vector<std::pair<std::int32_t, std::size_t>> taken_;  // part and holder of these entries

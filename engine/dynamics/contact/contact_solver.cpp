@@ -14,11 +14,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Impact speed (m/s) that determines a contact's greatest depth. A faster impact is stopped there within one step.
-constexpr double kSoftImpact = 10;
-// Largest penetration of a cord's axis as a fraction of a solid's thickness, well before the opposite side becomes the
-// nearer one.
-constexpr double kThicknessPart = 0.25;
 // A search ahead is needed only if kGrowingWay times the distance of a step exceeds this many radii of the thinnest
 // cord. Otherwise a cord is found before it is deeper than its radius.
 constexpr double kShortWay = 2;
@@ -63,12 +58,11 @@ ContactSolver::ContactSolver(const Model& model, const CoordinateLayout& layout)
     : model_(model),
       polyline_(model, layout),
       settings_(model.contact),
-      damping_(restitution_damping(model.contact.restitution)),
       body_force_(model.bodies.size(), Vector3d::Zero()) {
   const std::vector<std::int32_t> next = next_elements(model);
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     ContactSearch search(model, next, static_cast<std::int32_t>(b));
-    std::vector<std::vector<Law>> laws(search.parts().size());
+    ContactLaws laws(model, static_cast<std::int32_t>(b), search);
     SpringOffsets offsets(search.parts().size(), search.holder_count());
     partners_.push_back({.search = std::move(search), .laws = std::move(laws), .offsets = std::move(offsets)});
   }
@@ -79,9 +73,9 @@ void ContactSolver::forget_candidates() {
 }
 
 void ContactSolver::set_reference_step(double dt) {
-  reference_step_ = stiffness_step_ = dt;
+  steps_ = {dt, dt};
   for (Partner& partner : partners_) {
-    partner.laws.assign(partner.search.parts().size(), {});
+    partner.laws.set_steps(steps_);
     partner.offsets.clear();
   }
 }
@@ -90,35 +84,6 @@ void ContactSolver::note_motion(double cords, std::span<const double> bodies) {
   for (std::size_t b = 0; b < partners_.size(); ++b) {
     partners_[b].search.note_way(cords + bodies[b]);
   }
-}
-
-// The cord's mass at a place is that of half an element, or of a quarter at the end of a cord.
-ContactSolver::Law ContactSolver::make_law(const CordTouch& touch, std::int32_t body, double body_mass) const {
-  const CableMaterial& material = model_.material_of(touch.element);
-  const ModelBody& partner = model_.bodies[static_cast<std::size_t>(body)];
-  const double modulus = effective_modulus({material.youngs_modulus, material.poisson_ratio},
-                                           {partner.youngs_modulus, partner.poisson_ratio});
-  const double of_materials =
-      hertz_stiffness(modulus, effective_radius(material.radius, contact_radius(partner.shape)));
-  const double part = (touch.is_cord_end ? 0.5 : 1.0) / ContactSearch::kHalves;
-  const double length = part * model_.elements[static_cast<std::size_t>(touch.element)].length;
-  const double mass = effective_mass(material.section.mass_per_length * length, body_mass);
-  const double stiffness = std::min(of_materials, resolved_stiffness(mass, stiffness_step_));
-  const double softest = std::min(of_materials, resolved_stiffness(mass, reference_step_));
-  const ContactPart& solid =
-      partners_[static_cast<std::size_t>(body)].search.parts()[static_cast<std::size_t>(touch.part)];
-  return {{stiffness, damping_ * std::sqrt(stiffness * mass)},
-          depth_of_impact(mass, softest, kSoftImpact),
-          material.radius + kThicknessPart * solid.thickness,
-          stiffness / of_materials};
-}
-
-const ContactSolver::Law& ContactSolver::law_of(const CordTouch& touch, std::int32_t body, double body_mass) {
-  std::vector<Law>& laws = partners_[static_cast<std::size_t>(body)].laws[static_cast<std::size_t>(touch.part)];
-  if (laws.empty()) laws.resize(2 * model_.elements.size());
-  Law& law = laws[2 * static_cast<std::size_t>(touch.element) + (touch.is_cord_end ? 1 : 0)];
-  if (law.law.stiffness == 0) law = make_law(touch, body, body_mass);
-  return law;
 }
 
 // Shape functions at the place of a touch on an element of `length` (m).
@@ -130,26 +95,40 @@ ElementWeights ContactSolver::weights_at(const CordTouch& touch, double length) 
   return weights;
 }
 
-void ContactSolver::note_depth(std::int32_t body, double body_mass, const CordTouch& touch) {
-  deepest_penetration_ = std::max(deepest_penetration_, touch.penetration);
-  const double radius = partners_[static_cast<std::size_t>(body)].search.radius_of(touch.element);
+void ContactSolver::note_depth(std::int32_t body, double body_mass, std::int32_t element, std::int32_t part,
+                               bool is_cord_end, double penetration) {
+  deepest_penetration_ = std::max(deepest_penetration_, penetration);
+  Partner& partner = partners_[static_cast<std::size_t>(body)];
+  const double radius = partner.search.radius_of(element);
   constexpr double kRounding = 1 - 1e-12;
-  if (touch.penetration <= kRounding * deepest_part_.part * radius) return;  // saves most divisions
-  const double part = touch.penetration / radius;
-  if (part <= deepest_part_.part) return;
-  deepest_part_ = {part, touch.element, body, law_of(touch, body, body_mass).softening};
+  if (penetration <= kRounding * deepest_part_.part * radius) return;  // saves most divisions
+  const double of_radius = penetration / radius;
+  if (of_radius <= deepest_part_.part) return;
+  deepest_part_ = {of_radius, element, body, partner.laws.of(element, part, is_cord_end, body_mass).softening};
+}
+
+// As note_depth for each contact. A block in which nothing can be deeper than before is passed over.
+void ContactSolver::note_depths(std::int32_t body, double body_mass, const TouchBlock& touch,
+                                const ContactBlock& block) {
+  const ContactSearch& search = partners_[static_cast<std::size_t>(body)].search;
+  double largest = 0;
+  for (const double depth : block.penetration) largest = depth > largest ? depth : largest;
+  if (largest <= deepest_penetration_ && largest <= 0.99 * deepest_part_.part * search.smallest_radius()) return;
+  for_each_lane(block, [&](int lane) {
+    note_depth(body, body_mass, touch.element[lane], 0, block.is_cord_end[lane], block.penetration[lane]);
+  });
 }
 
 void ContactSolver::add_contact(std::int32_t body, double body_mass, const CordTouch& touch, double length) {
   Partner& partner = partners_[static_cast<std::size_t>(body)];
-  const auto is_for_touch = [&](const ContactBlock& open) {
-    return open.first_part == touch.part && open.first_place == touch.first_place;
-  };
-  ContactBlock& block =
-      *std::find_if(contacts_.begin() + static_cast<std::ptrdiff_t>(first_open_), contacts_.end(), is_for_touch);
+  const std::span<ContactBlock> open = contacts_.from(first_open_);
+  ContactBlock& block = *std::ranges::find_if(open, [&](const ContactBlock& of_group) {
+    return of_group.first_part == touch.part && of_group.first_place == touch.first_place;
+  });
   const int lane = touch.first_element % kBlockSize;
   block.used |= 1U << lane;
-  places_.push_back(static_cast<std::int32_t>(&block - contacts_.data()) * kBlockSize + lane);
+  places_.push_back(
+      static_cast<std::int32_t>(first_open_ + static_cast<std::size_t>(&block - open.data())) * kBlockSize + lane);
   const ElementWeights weights = weights_at(touch, length);
   const ElementIndices indices = polyline_.indices(touch.element);
   for (std::size_t corner = 0; corner < 4; ++corner) {
@@ -160,13 +139,11 @@ void ContactSolver::add_contact(std::int32_t body, double body_mass, const CordT
     block.point[axis][lane] = touch.point[axis];
     block.normal[axis][lane] = touch.normal[axis];
   }
-  const Law& law = law_of(touch, body, body_mass);
-  const double offset = partner.offsets.follow(touch);
-  block.penetration[lane] = touch.penetration - offset;
-  block.offset[lane] = offset;
+  const ContactLaw& law = partner.laws.of(touch.element, touch.part, touch.is_cord_end, body_mass);
+  block.penetration[lane] = touch.penetration;
   block.stiffness[lane] = law.law.stiffness;
   block.damping[lane] = law.law.damping;
-  block.deepest[lane] = std::min(law.impact, law.deepest - offset);
+  block.deepest[lane] = std::min(law.impact, law.deepest);
   block.share[lane] = touch.share;
   block.element[lane] = touch.element;
   block.part[lane] = touch.part;
@@ -216,25 +193,79 @@ void ContactSolver::find_contacts(std::int32_t body, const CoordinateVectors& co
   partner.shares = 0;
   if (!is_sound(Eigen::AlignedBox3d(dynamic.centre()))) return;
   partner.search.find(coordinates, batch, dynamic, way_ahead(body, dynamic, cord_speed, dt), touches_);
-  const auto length_of = [&](const CordTouch& touch) {
-    return batch.block(touch.element / kBlockSize).length[touch.element % kBlockSize];
-  };
   std::erase_if(touches_, [&](const CordTouch& touch) {
-    return !(touch.penetration > 0) && !hits_within_step(touch, body, length_of(touch), velocities, dynamic, dt);
+    const double length = batch.block(touch.element / kBlockSize).length[touch.element % kBlockSize];
+    return !(touch.penetration > 0) && !hits_within_step(touch, body, length, velocities, dynamic, dt);
   });
+  add_touches(body, dynamic.least_mass(), batch);
+  add_sphere_touches(body, dynamic.least_mass(), batch);
+  partner.last = contacts_.size();
+  partner.last_place = places_.size();
+  if (!partner.offsets.are_zero()) apply_offsets(partner, dynamic.least_mass());
+}
+
+void ContactSolver::add_touches(std::int32_t body, double body_mass, const ElementBatch& batch) {
   const auto elements_of = [](const CordTouch& touch) { return touch.first_element / kBlockSize; };
   for (auto first = touches_.begin(); first != touches_.end();) {
     const auto last =
         std::find_if(first, touches_.end(), [&](const CordTouch& t) { return elements_of(t) != elements_of(*first); });
     first_open_ = open_blocks({first, last}, body, contacts_);
     for (; first != last; ++first) {
-      if (first->penetration > 0) note_depth(body, dynamic.least_mass(), *first);
-      add_contact(body, dynamic.least_mass(), *first, length_of(*first));
+      const double penetration = first->penetration;
+      if (penetration > 0) {
+        note_depth(body, body_mass, first->element, first->part, first->is_cord_end, penetration);
+      }
+      add_contact(body, body_mass, *first,
+                  batch.block(first->element / kBlockSize).length[first->element % kBlockSize]);
     }
   }
-  partner.last = contacts_.size();
-  partner.last_place = places_.size();
-  partner.offsets.keep_only(touches_);
+}
+
+void ContactSolver::add_sphere_touches(std::int32_t body, double body_mass, const ElementBatch& batch) {
+  Partner& partner = partners_[static_cast<std::size_t>(body)];
+  const std::span<const TouchBlock> touches = partner.search.sphere_touches().blocks();
+  for (std::size_t i = 0; i < touches.size();) {
+    const std::size_t first_block = contacts_.size();
+    for (const std::int32_t elements = touches[i].block; i < touches.size() && touches[i].block == elements; ++i) {
+      ContactBlock& block = contacts_.append();
+      place_touches(touches[i], body, partner.search, body_mass, batch, partner.laws, block);
+      note_depths(body, body_mass, touches[i], block);
+    }
+    list_places(first_block);
+  }
+  for (std::size_t place = partner.first_place; place < places_.size() && !touches.empty(); ++place) {
+    partner.shares +=
+        contacts_[static_cast<std::size_t>(places_[place] / kBlockSize)].share[places_[place] % kBlockSize];
+  }
+}
+
+// Lists the contacts of the blocks from `first_block` on, which are of the same elements: element by element.
+void ContactSolver::list_places(std::size_t first_block) {
+  for (int lane = 0; lane < kBlockSize; ++lane) {
+    for (std::size_t block = first_block; block < contacts_.size(); ++block) {
+      if ((contacts_[block].used >> lane & 1U) == 0) continue;
+      places_.push_back(static_cast<std::int32_t>(block) * kBlockSize + lane);
+    }
+  }
+}
+
+// Springs begin at their offsets; the offsets of contacts that are no more are forgotten.
+void ContactSolver::apply_offsets(Partner& partner, double body_mass) {
+  std::vector<SpringOffsets::Place> present;
+  for (std::size_t i = partner.first; i < partner.last; ++i) {
+    ContactBlock& block = contacts_[i];
+    for_each_lane(block, [&](int lane) {
+      const SpringOffsets::Place place(block.part[lane], block.holder[lane]);
+      const double depth = block.penetration[lane], offset = partner.offsets.follow(place, depth);
+      const ContactLaw& law =
+          partner.laws.of(block.element[lane], block.part[lane], block.is_cord_end[lane], body_mass);
+      block.penetration[lane] = depth - offset;
+      block.offset[lane] = offset;
+      block.deepest[lane] = std::min(law.impact, law.deepest - offset);
+      present.push_back(place);
+    });
+  }
+  partner.offsets.keep_only(std::move(present));
 }
 
 template <typename Function>
@@ -246,41 +277,42 @@ void ContactSolver::for_each_contact(const Function& function) const {
 
 double ContactSolver::stiffness_step_for(double dt) const {
   constexpr int kMostHalvings = 7;  // stiffer springs are those of the materials
-  const double shortest = std::ldexp(reference_step_, -kMostHalvings);
-  double step = stiffness_step_;
+  const double shortest = std::ldexp(steps_.reference, -kMostHalvings);
+  double step = steps_.present;
   while (dt <= kShortStep * step && step > shortest) step *= 0.5;
-  while (dt > kLongStep * step && step < reference_step_) step *= 2;
+  while (dt > kLongStep * step && step < steps_.reference) step *= 2;
   return step;
 }
 
 // A spring stores 2/5 K s^2.5 at the compression s. With another stiffness K it stores the same at a compression in
 // proportion to K^-0.4. A spring cannot begin outside the surface.
 void ContactSolver::fit_stiffness(double dt, const std::vector<DynamicBody>& bodies) {
-  stiffness_step_ = stiffness_step_for(dt);
-  for (Partner& partner : partners_) partner.laws.assign(partner.search.parts().size(), {});
+  steps_.present = stiffness_step_for(dt);
+  for (Partner& partner : partners_) partner.laws.set_steps(steps_);
   for_each_contact([&](const ContactBlock& block, int lane) {
     const double compression = block.penetration[lane], depth = compression + block.offset[lane];
     if (!(compression > 0)) return;
     const auto body = static_cast<std::size_t>(block.body);
-    CordTouch touch{};
-    touch.element = block.element[lane];
-    touch.part = block.part[lane];
-    touch.is_cord_end = block.is_cord_end[lane];
-    const double stiffness = law_of(touch, block.body, bodies[body].least_mass()).law.stiffness;
+    const double stiffness =
+        partners_[body]
+            .laws.of(block.element[lane], block.part[lane], block.is_cord_end[lane], bodies[body].least_mass())
+            .law.stiffness;
     const double root = fifth_root(block.stiffness[lane] / stiffness);
-    partners_[body].offsets.set(touch.part, block.holder[lane], std::max(depth - root * root * compression, 0.0));
+    partners_[body].offsets.set({block.part[lane], block.holder[lane]},
+                                std::max(depth - root * root * compression, 0.0));
   });
 }
 
 void ContactSolver::visit_state(const std::function<void(double&)>& visit) {
-  double step = stiffness_step_;
+  double step = steps_.present;
   visit(step);
+  // A file may hold a number that is not a step.
+  const bool has_changed = step != steps_.present && step > 0;
+  if (has_changed) steps_.present = step;
   for (Partner& partner : partners_) {
-    // A file may hold a number that is not a step.
-    if (step != stiffness_step_ && step > 0) partner.laws.assign(partner.search.parts().size(), {});
+    if (has_changed) partner.laws.set_steps(steps_);
     partner.offsets.visit_state(visit);
   }
-  if (step > 0) stiffness_step_ = step;
 }
 
 void ContactSolver::find(const CoordinateVectors& coordinates, const CoordinateVectors& velocities,
@@ -290,12 +322,12 @@ void ContactSolver::find(const CoordinateVectors& coordinates, const CoordinateV
   places_.clear();
   deepest_penetration_ = 0;
   deepest_part_ = {};
-  if (reference_step_ == 0) set_reference_step(dt);
+  if (steps_.reference == 0) set_reference_step(dt);
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     find_contacts(static_cast<std::int32_t>(b), coordinates, velocities, batch, bodies[b], cord_speed, dt);
   }
-  find_runs(batch, contacts_);
-  share_inertia(contacts_, contacted);
+  find_runs(batch, contacts_.from(0));
+  share_inertia(contacts_.from(0), contacted);
 }
 
 ContactSolver::Outcome ContactSolver::outcome_of(const Partner& partner) const {
@@ -327,13 +359,14 @@ void ContactSolver::add_forces(const CoordinateVectors& velocities, ContactedCoo
     body_force_[b].setZero();
     const Partner& partner = partners_[b];
     if (partner.first == partner.last) continue;
-    const std::span<ContactBlock> contacts(contacts_.data() + partner.first, partner.last - partner.first);
+    const std::span<ContactBlock> contacts = contacts_.range(partner.first, partner.last);
     force_kernels().forces(view, motion_of(bodies[b], partner.shares), contacts.data(), contacts.size());
     const Outcome outcome = outcome_of(partner);
     unresolved_ += outcome.unresolved;
     if (outcome.stops > 0) {
       stops_ += outcome.stops;
-      complete_stops(contacts_, places_of(partner), bodies[b].rigid(), partner.shares, contacted, inverse_mass, times);
+      complete_stops(contacts_.from(0), places_of(partner), bodies[b].rigid(), partner.shares, contacted, inverse_mass,
+                     times);
     }
     power_before_ += outcome.stops > 0 ? power_of(b, velocities.rows(), bodies[b]) : outcome.power;
     add_to_coordinates(contacts, applied);
@@ -355,7 +388,7 @@ double ContactSolver::stored_energy() const {
 // g_2).
 double ContactSolver::fed_power(const CoordinateVectors& coordinates, const ElementBatch& batch) const {
   double power = 0;
-  if (std::ranges::none_of(contacts_, &ContactBlock::feeds)) return power;
+  if (std::ranges::none_of(contacts_.range(0, contacts_.size()), &ContactBlock::feeds)) return power;
   for_each_contact([&](const ContactBlock& block, int lane) {
     if (!block.feeds) return;
     const std::int32_t element = block.element[lane];
@@ -372,8 +405,9 @@ contact_kernel::ContactPower ContactSolver::power_of(std::size_t body, const Coo
                                                      const DynamicBody& dynamic) const {
   const Partner& partner = partners_[body];
   powers_.resize(contacts_.size());
-  force_kernels().power(velocities, motion_of(dynamic, partner.shares), contacts_.data() + partner.first,
-                        partner.last - partner.first, powers_.data() + partner.first);
+  const std::span<const ContactBlock> contacts = contacts_.range(partner.first, partner.last);
+  force_kernels().power(velocities, motion_of(dynamic, partner.shares), contacts.data(), contacts.size(),
+                        powers_.data() + partner.first);
   contact_kernel::ContactPower sums[kBlockSize];  // side by side, which is faster than one after the other
   std::size_t next = 0;
   for (const std::int32_t place : places_of(partner)) {

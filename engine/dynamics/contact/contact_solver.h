@@ -17,12 +17,13 @@
 #include <span>
 #include <vector>
 
-#include "engine/contact/force_law.h"
 #include "engine/dynamics/assembly/applied_forces.h"
 #include "engine/dynamics/assembly/coordinate_vectors.h"
 #include "engine/dynamics/assembly/dynamic_body.h"
+#include "engine/dynamics/contact/contact_blocks.h"
 #include "engine/dynamics/contact/contact_depth.h"
 #include "engine/dynamics/contact/contact_kernel.h"
+#include "engine/dynamics/contact/contact_laws.h"
 #include "engine/dynamics/contact/contact_search.h"
 #include "engine/dynamics/contact/contacted_coordinates.h"
 #include "engine/dynamics/contact/spring_offsets.h"
@@ -42,7 +43,7 @@ class ContactSolver {
 
   // Whether the springs are as stiff as steps of `dt` (s) need. They always are while steps are longer than a quarter
   // of the reference step.
-  bool fits(double dt) const { return stiffness_step_for(dt) == stiffness_step_; }
+  bool fits(double dt) const { return stiffness_step_for(dt) == steps_.present; }
   // Adapts the springs to steps of `dt` (s). To be called after find() at the present state, which must then be called
   // again. Springs that become stiffer keep their energy. Springs that become softer may lose some.
   void fit_stiffness(double dt, const std::vector<DynamicBody>& bodies);
@@ -78,7 +79,7 @@ class ContactSolver {
 
   // Contacts that bear force.
   std::vector<ContactPoint> contacts() const;
-  bool has_contacts() const { return !contacts_.empty(); }
+  bool has_contacts() const { return contacts_.size() > 0; }
   const Eigen::Vector3d& force_on(std::int32_t body) const { return body_force_[body]; }
   double deepest_penetration() const { return deepest_penetration_; }  // m
   // The deepest penetration relative to its cord's radius.
@@ -97,21 +98,13 @@ class ContactSolver {
   void visit_state(const std::function<void(double&)>& visit);
 
  private:
-  // Force law of an element with a body.
-  struct Law {
-    NormalLaw law;
-    double impact;     // m, compression that no approach may pass
-    double deepest;    // m, depth that no approach may pass
-    double softening;  // stiffness / stiffness of the materials
-  };
   struct Partner {
     ContactSearch search;
-    // By part, then by element and whether the place is at the end of its cord. Zero stiffness: not yet needed.
-    std::vector<std::vector<Law>> laws;
+    ContactLaws laws;
+    SpringOffsets offsets;
     std::size_t first = 0, last = 0;              // range in contacts_
     std::size_t first_place = 0, last_place = 0;  // range in places_
     double shares = 0;                            // sum of its contacts' shares
-    SpringOffsets offsets;
   };
   contact_kernel::ContactPower power_of(std::size_t body, const CoordinateRows& velocities,
                                         const DynamicBody& dynamic) const;
@@ -122,12 +115,16 @@ class ContactSolver {
   // Whether a place that is still apart would touch the body within the step.
   bool hits_within_step(const CordTouch& touch, std::int32_t body, double length, const CoordinateVectors& velocities,
                         const DynamicBody& dynamic, double dt) const;
-  // `body_mass` (kg): smallest mass that any point of the body can have.
-  void note_depth(std::int32_t body, double body_mass, const CordTouch& touch);
+  // Enter places that search has found. `body_mass` (kg): smallest mass that any point of the body can have.
+  void add_touches(std::int32_t body, double body_mass, const ElementBatch& batch);
+  void add_sphere_touches(std::int32_t body, double body_mass, const ElementBatch& batch);
+  void note_depth(std::int32_t body, double body_mass, std::int32_t element, std::int32_t part, bool is_cord_end,
+                  double penetration);
+  void note_depths(std::int32_t body, double body_mass, const TouchBlock& touch, const ContactBlock& block);
   void add_contact(std::int32_t body, double body_mass, const CordTouch& touch, double length);
+  void list_places(std::size_t first_block);
+  void apply_offsets(Partner& partner, double body_mass);
   ElementWeights weights_at(const CordTouch& touch, double length) const;
-  Law make_law(const CordTouch& touch, std::int32_t body, double body_mass) const;
-  const Law& law_of(const CordTouch& touch, std::int32_t body, double body_mass);
   // What the last forces of a body's contacts came to.
   struct Outcome {
     int stops = 0, unresolved = 0;
@@ -144,14 +141,12 @@ class ContactSolver {
   const Model& model_;
   CordPolyline polyline_;
   ContactSettings settings_;
-  double damping_;  // alpha of force_law.h
-  double reference_step_ = 0;
-  double stiffness_step_ = 0;       // s, step that springs are for: the reference step or a half, a quarter, ... of it
-  std::vector<Partner> partners_;   // by body
-  std::vector<CordTouch> touches_;  // of one body
-  AlignedVector<ContactBlock> contacts_;  // ordered by body
-  std::vector<std::int32_t> places_;      // of the contacts in the order found: block * kBlockSize + lane
-  std::size_t first_open_ = 0;            // first block that open_blocks has made last
+  SpringSteps steps_;                 // the present one is the reference step or a half, a quarter, ... of it
+  std::vector<Partner> partners_;     // by body
+  std::vector<CordTouch> touches_;    // of one body
+  ContactBlocks contacts_;            // ordered by body
+  std::vector<std::int32_t> places_;  // of the contacts in the order found: block * kBlockSize + lane
+  std::size_t first_open_ = 0;        // first block that open_blocks has made last
   mutable AlignedVector<contact_kernel::LanePowers> powers_;
   std::vector<Eigen::Vector3d> body_force_;
   double deepest_penetration_ = 0;

@@ -7,24 +7,20 @@ namespace netpocket {
 SpringOffsets::SpringOffsets(std::size_t parts, std::size_t holders)
     : offsets_(parts, std::vector<double>(holders, 0.0)) {}
 
-double SpringOffsets::follow(const CordTouch& touch) {
+double SpringOffsets::follow(const Place& place, double depth) {
   if (places_.empty()) return 0;
-  double& offset = at({touch.part, touch.holder});
-  return offset = std::min(offset, std::max(touch.penetration, 0.0));
+  double& offset = at(place);
+  return offset = std::min(offset, std::max(depth, 0.0));
 }
 
-void SpringOffsets::set(std::int32_t part, std::int32_t holder, double offset) {
-  double& present = at({part, holder});
-  if (present == 0 && offset > 0) places_.emplace_back(part, holder);
+void SpringOffsets::set(const Place& place, double offset) {
+  double& present = at(place);
+  if (present == 0 && offset > 0) places_.push_back(place);
   present = offset;
 }
 
-void SpringOffsets::keep_only(std::span<const CordTouch> touches) {
+void SpringOffsets::keep_only(std::vector<Place> present) {
   if (places_.empty()) return;
-  std::vector<Place> present;
-  for (const CordTouch& touch : touches) {
-    if (touch.penetration > 0) present.emplace_back(touch.part, touch.holder);
-  }
   std::ranges::sort(present);
   std::erase_if(places_, [&](const Place& place) {
     double& offset = at(place);

@@ -9,11 +9,8 @@
 
 #include <cstdint>
 #include <functional>
-#include <span>
 #include <utility>
 #include <vector>
-
-#include "engine/dynamics/contact/contact_search.h"
 
 namespace netpocket {
 
@@ -22,18 +19,21 @@ class SpringOffsets {
   // For a body of this many parts and cords with this many holders of contact.
   SpringOffsets(std::size_t parts, std::size_t holders);
 
-  // Offset (m) of a contact at its present depth; not more than that.
-  double follow(const CordTouch& touch);
-  void set(std::int32_t part, std::int32_t holder, double offset);
-  // Forgets the offsets of all contacts that are not among `touches`.
-  void keep_only(std::span<const CordTouch> touches);
+  using Place = std::pair<std::int32_t, std::int32_t>;  // part and holder
+
+  // Whether all springs begin at the surface.
+  bool are_zero() const { return places_.empty(); }
+  // Offset (m) of a contact at its present depth (m); not more than that.
+  double follow(const Place& place, double depth);
+  void set(const Place& place, double offset);
+  // Forgets the offsets of all contacts that are not at `present`.
+  void keep_only(std::vector<Place> present);
   void clear();
 
   // Gives every number of the state to `visit`, which may change it.
   void visit_state(const std::function<void(double&)>& visit);
 
  private:
-  using Place = std::pair<std::int32_t, std::int32_t>;  // part and holder
   double& at(const Place& place) {
     return offsets_[static_cast<std::size_t>(place.first)][static_cast<std::size_t>(place.second)];
   }
