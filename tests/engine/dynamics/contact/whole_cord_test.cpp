@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <functional>
 #include <numbers>
 
 #include "tests/engine/dynamics/models.h"
@@ -286,6 +287,58 @@ TEST_F(VerificationWholeCord, NothingTunnelsThroughAPanel) {
     expect_below(fmt::format("cords through a panel of 2 cm at {} m/s, of {}", speed, hits), through, 0,
                  "nothing tunnels (verification case V7)");
   }
+}
+
+// Cords between fixed ends, each with a sphere that rises into it. Elements are listed by `order`(place along the cord,
+// cord), so that those which continue each other are in any lanes of any blocks.
+template <typename Order>
+std::vector<Vector3d> impulses_of_rising_spheres(int cords, const Order& order) {
+  constexpr int elements = 16;
+  Model model;
+  const std::int32_t material = model.add_material(net_cord());
+  std::vector<ModelElement> listed(static_cast<std::size_t>(cords * elements));
+  for (int cord = 0; cord < cords; ++cord) {
+    const double z = 16 * cord;  // a power of two: adding it rounds nothing that matters
+    const auto first = model.add_node({-2, 0.01, z}), last = model.add_node({2, 0.01, z});
+    const auto along = model.add_straight_cable(first, last, elements, material);
+    model.fix_node(first);
+    model.fix_node(last);
+    for (int i = 0; i < elements; ++i) {
+      listed[static_cast<std::size_t>(order(i, cord))] =
+          model.elements[static_cast<std::size_t>(along[static_cast<std::size_t>(i)])];
+    }
+    model.add_body(anvil(Sphere{3}, {0.03, -3, z}));
+  }
+  model.elements = listed;
+  CableSystem system(model);
+  for (int cord = 0; cord < cords; ++cord) system.control(cord, {.velocity = {0.0, 0.5, 0.0}, .hold_attitude = true});
+  advance(system, 0.3, 0.8 * system.stable_step().step);
+  std::vector<Vector3d> impulses;
+  for (int cord = 0; cord < cords; ++cord) impulses.push_back(system.contact_impulse(cord));
+  return impulses;
+}
+
+TEST_F(VerificationWholeCord, OrderOfElementsDoesNotMatterOnASphere) {
+  const auto difference = [](const std::vector<Vector3d>& impulses, const Vector3d& expected) {
+    double largest = 0;
+    for (const Vector3d& impulse : impulses) largest = std::max(largest, (impulse - expected).norm() / expected.norm());
+    return largest;
+  };
+  const auto alone = [](const std::function<int(int)>& order) {
+    return impulses_of_rising_spheres(1, [&](int i, int) { return order(i); });
+  };
+  const Vector3d along = alone([](int i) { return i; }).front();
+  EXPECT_GT(std::abs(along.y()), 1);
+  const std::string reason = "the same forces in another order: round-off";
+  expect_below("impulse on a sphere: elements listed backwards, relative",
+               difference(alone([](int i) { return 15 - i; }), along), 1e-9, reason);
+  expect_below("and every fifth one, around", difference(alone([](int i) { return 5 * i % 16; }), along), 1e-9, reason);
+  expect_below("and eight cords side by side in the lanes",
+               difference(impulses_of_rising_spheres(8, [](int i, int cord) { return 8 * i + cord; }), along), 1e-9,
+               reason);
+  expect_below("and five cords one after the other",
+               difference(impulses_of_rising_spheres(5, [](int i, int cord) { return 5 * i + cord; }), along), 1e-9,
+               reason);
 }
 
 }  // namespace
