@@ -21,7 +21,7 @@ constexpr double kSameTime = 1e-9;  // s
 
 Scenario valid(const ScenarioResult& result) {
   Diagnostics problems = result.diagnostics;
-  if (problems.ok()) problems = check_scenario(result.scenario);
+  if (problems.ok()) problems = check_scenario(result.scenario, RunEnd::open);
   if (!problems.ok()) throw ResumeError(fmt::format("its scenario is not valid here: {}", problems.list()[0].text()));
   return result.scenario;
 }

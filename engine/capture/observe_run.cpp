@@ -18,7 +18,7 @@ RunStatus show_frames(Simulation& simulation, const FrameObserver& observer, con
     }
     if (status.reason != RunReason::finished) return status;
   }
-  return {RunReason::finished, simulation.time(), "reached the end time"};
+  return finished_run(simulation);
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ class RecordedRun {
       record_state();
       if (frames.is_whole(i) && simulation_.time() > next_checkpoint_ - kRounding) record_checkpoint();
     }
-    return {RunReason::finished, simulation_.time(), "reached the end time"};
+    return finished_run(simulation_);
   }
 
  private:

@@ -316,6 +316,17 @@ const Scenario& Simulation::scenario() const { return impl_->scenario; }
 const Structure& Simulation::structure() const { return impl_->capture_system.structure; }
 double Simulation::time() const { return impl_->system.time(); }
 
+std::string Simulation::awaited() const {
+  const auto& awaited = impl_->capture_system.awaited;
+  return awaited ? awaited(time()) : "";
+}
+
+RunStatus finished_run(const Simulation& simulation) {
+  const std::string awaited = simulation.awaited();
+  return {RunReason::finished, simulation.time(),
+          awaited.empty() ? "reached the end time" : "reached the end time; " + awaited};
+}
+
 RunStatus Simulation::advance(double until, const std::stop_token& stop) {
   // Tolerance of half a step: a sum of many steps is not exactly the time of a frame.
   return impl_->advance_while([&] { return time() + 0.5 * impl_->time_step < until; }, stop);

@@ -34,6 +34,8 @@ class Simulation {
   const Scenario& scenario() const;
   const Structure& structure() const;
   double time() const;  // s
+  // Which events of the scenario have not come up to now, as a part of a sentence; empty: none.
+  std::string awaited() const;
 
   // Steps to `until` (s), or until `stop` is requested or the run diverges. On divergence the state is set back to the
   // last sound one. The status then says which step failed, and which cable, contact or body. Steps do not depend on
@@ -68,5 +70,8 @@ class Simulation {
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
+
+// The status of a run that has reached its end time. Says which events never came.
+RunStatus finished_run(const Simulation& simulation);
 
 }  // namespace netpocket

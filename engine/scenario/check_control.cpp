@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "engine/scenario/check_times.h"
 #include "engine/scenario/parameters.h"
 
 namespace netpocket {
@@ -57,8 +58,10 @@ class ControlChecker {
     check_actuators();
     for (std::size_t i = 0; i < s_.controllers.size(); ++i) check_controller(i);
     check_tow();
+    check_abort();
     for (std::size_t i = 0; i < s_.sensors.size(); ++i) check_sensor(i);
     check_winch();
+    check_deflation();
     check_target();
   }
 
@@ -111,9 +114,9 @@ class ControlChecker {
         break;
       case ControlPhase::closed:
         if (tows && s_.towing.starts_at == TowingStart::closed) return "the towing starts when the pocket is closed";
-        if (tows && s_.closing.starts_at == ClosingStart::time && s_.towing.start <= closing_end())
+        if (tows && s_.closing.starts_at == ClosingStart::time && s_.towing.start <= closing_end(s_.closing))
           return fmt::format("the towing starts at {:g} s, before the closing ends at {:g} s", s_.towing.start,
-                             closing_end());
+                             closing_end(s_.closing));
         break;
       case ControlPhase::towing:
         if (!tows) return "towing.mode is \"none\"";
@@ -123,11 +126,6 @@ class ControlChecker {
         break;
     }
     return std::nullopt;
-  }
-
-  double closing_end() const {
-    const bool by_table = s_.closing.law == ClosingLaw::table && !s_.closing.table.empty();
-    return s_.closing.start + (by_table ? s_.closing.table.back().x() : s_.closing.duration);
   }
 
   void check_tow() {
@@ -143,6 +141,11 @@ class ControlChecker {
       if (phase != ControlPhase::always && phase != ControlPhase::towing)
         add(key_of("controller", i, "phase"), "a controller of the kind \"tow\" acts in the phase \"towing\" only");
     }
+  }
+
+  void check_abort() {
+    if (s_.towing.abort_force > 0 && s_.towing.mode == TowingMode::none)
+      add("towing.abort_force", "there is no towing that it could end: towing.mode is \"none\"");
   }
 
   void check_sensor(std::size_t i) {
@@ -176,6 +179,13 @@ class ControlChecker {
         return;
       }
     }
+  }
+
+  void check_deflation() {
+    const DeflationParameters& deflation = s_.deflation;
+    if (deflation.starts_at == DeflationStart::never || deflation.pressure < s_.rods.pressure) return;
+    add("deflation.pressure",
+        fmt::format("must be below rods.pressure = {:g} Pa, or there is nothing to let out", s_.rods.pressure));
   }
 
   void check_target() {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <variant>
 
+#include "engine/scenario/check_times.h"
 #include "engine/scenario/parameter_text.h"
 #include "engine/scenario/system_parameters.h"
 #include "engine/scenario/target_shape.h"
@@ -19,7 +20,7 @@ class Checker {
  public:
   explicit Checker(const Scenario& scenario) : s_(scenario) {}
 
-  Diagnostics run() {
+  Diagnostics run(RunEnd end) {
     const SystemParameters* kind = find_system(s_.system);
     if (kind == nullptr) {
       add("system", fmt::format("there is no kind of capture system called {}", excerpt(s_.system)));
@@ -32,6 +33,7 @@ class Checker {
     std::optional<Shape> target;
     if (has_table("target")) target = check_target();
     if (kind->check != nullptr) kind->check(s_, target ? &*target : nullptr, found_);
+    if (found_.ok() && end == RunEnd::final && has_table("closing")) check_times(s_, found_);
     return found_;
   }
 
@@ -91,6 +93,6 @@ class Checker {
 
 }  // namespace
 
-Diagnostics check_scenario(const Scenario& scenario) { return Checker(scenario).run(); }
+Diagnostics check_scenario(const Scenario& scenario, RunEnd end) { return Checker(scenario).run(end); }
 
 }  // namespace netpocket

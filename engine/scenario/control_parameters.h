@@ -112,6 +112,18 @@ struct WheelParameters {
   friend bool operator==(const WheelParameters&, const WheelParameters&) = default;
 };
 
+enum class DeflationStart { never, time, closing, closed };
+
+// Gas that is let out of the rods.
+struct DeflationParameters {
+  DeflationStart starts_at = DeflationStart::never;
+  double start = 0;        // s, or s after the closing starts or ends
+  double rate = 50e3;      // Pa/s
+  double pressure = 10e3;  // Pa, that stays
+
+  friend bool operator==(const DeflationParameters&, const DeflationParameters&) = default;
+};
+
 enum class WinchDrive { prescribed, length, rate, tension, torque };
 
 // Winches of the closing ropes, all alike.

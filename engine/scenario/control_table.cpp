@@ -27,6 +27,8 @@ constexpr std::array kNames<SensorKind> = {"attitude"sv,      "angular_velocity"
 template <>
 constexpr std::array kNames<ActuatorKind> = {"ideal"sv, "box"sv, "thrusters"sv};
 template <>
+constexpr std::array kNames<DeflationStart> = {"never"sv, "time"sv, "closing"sv, "closed"sv};
+template <>
 constexpr std::array kNames<WinchDrive> = {"prescribed"sv, "length"sv, "rate"sv, "tension"sv, "torque"sv};
 
 }  // namespace parameter_rows
@@ -42,6 +44,7 @@ using Actuators = ActuatorParameters;
 using Thruster = ThrusterParameters;
 using Wheel = WheelParameters;
 using Winch = WinchParameters;
+using Deflated = DeflationParameters;
 
 constexpr auto kControllers = &S::controllers;
 constexpr auto kSensors = &S::sensors;
@@ -49,9 +52,11 @@ constexpr auto kThrusters = &S::thrusters;
 constexpr auto kWheels = &S::wheels;
 constexpr auto kActuators = &S::actuators;
 constexpr auto kWinch = &S::winch;
+constexpr auto kDeflation = &S::deflation;
 
 constexpr std::array kControlGroups = {
     ParameterGroup{"winch", "Winches", "Retractors of the closing ropes, as drums with motor and brake."},
+    ParameterGroup{"deflation", "Deflation", "Gas that is let out of the rods, so that they bend more easily."},
     ParameterGroup{"actuators", "Actuators",
                    "What exerts the forces and torques that the spacecraft's controllers demand."},
 };
@@ -75,6 +80,11 @@ constexpr std::array kControlParameters = {
     parameter<kWinch, &Winch::take_up_rate>("winch.take_up_rate", within(0, 100), "m/s", "speed at which a slack rope is taken up at least, for the drive tension", kAssumption),
     parameter<kWinch, &Winch::late>("winch.late", within(0, 1e5), "1, s", "[rope, delay]: ropes that start later than the others; not for the drive prescribed", kChoice),
     parameter<kWinch, &Winch::jammed>("winch.jammed", within(0, 1e5), "1, s", "[rope, time]: ropes whose retractor jams at a time; not for the drive prescribed", kChoice),
+
+    parameter<kDeflation, &Deflated::starts_at>("deflation.starts_at", kNone, "", "what starts the deflation: never; the time deflation.start; the closing's start or its end, and deflation.start after it", kChoice),
+    parameter<kDeflation, &Deflated::start>("deflation.start", within(0, 1e5), "s", "time of the deflation, or how long after its event it starts", kChoice),
+    parameter<kDeflation, &Deflated::rate>("deflation.rate", above(0, 1e9), "Pa/s", "rate at which the pressure falls", kAssumption),
+    parameter<kDeflation, &Deflated::pressure>("deflation.pressure", above(0, 1e9), "Pa", "pressure that stays; less than rods.pressure", kAssumption),
 
     parameter<kActuators, &Actuators::kind>("actuators.kind", kNone, "", "ideal: exert at once what is demanded; box: within limits by component; thrusters: those of the list actuators.thruster. Wheels, if any, take the torque", kAssumption),
     parameter<kActuators, &Actuators::most_force>("actuators.most_force", within(0, 1e7), "N", "box: largest size of each component of the force, body axes", kAssumption),

@@ -176,6 +176,7 @@ struct Scenario {
   ClosingParameters closing;
   TowingParameters towing;
   WinchParameters winch;
+  DeflationParameters deflation;
   ActuatorParameters actuators;
   SolverParameters solver;
   OutputParameters output;

@@ -20,7 +20,8 @@ bool is_of_strategy(std::string_view key) {
 bool acts_at_once_in_pocket(std::string_view key) {
   if (key == "closing.elements") return false;
   return is_of_strategy(key) || key.starts_with("closing.") || key.starts_with("towing.") ||
-         key == "contact.friction" || key == "rods.pressure" || key == "spacecraft.station_keeping";
+         key.starts_with("deflation.") || key == "contact.friction" || key == "rods.pressure" ||
+         key == "spacecraft.station_keeping";
 }
 
 bool acts_at_once(std::string_view key, std::string_view system) {

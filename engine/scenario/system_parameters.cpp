@@ -175,7 +175,7 @@ const SystemParameters& pocket_parameters() {
       .title = "Netted pocket",
       .help = "Inflatable rods hold a net open; ropes between their tips close its mouth round the target.",
       .shared_groups = {"pocket", "net", "rope", "rods", "spacecraft", "target", "contact", "closing", "towing",
-                        "winch", "actuators"},
+                        "winch", "deflation", "actuators"},
       .shared_lists = {"controller", "sensor", "actuators.thruster", "actuators.wheel"},
       .check = check_pocket,
       .acts_at_once = acts_at_once_in_pocket};

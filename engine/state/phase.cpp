@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace netpocket {
 namespace {
@@ -28,16 +29,21 @@ std::string phase_at(const std::vector<Phase>& phases, double time) {
   return last != nullptr ? last->name : "";
 }
 
+bool PhaseHistory::note(double time, double value) {
+  const std::optional<double> before = std::exchange(last_, value);
+  if (before == value) return false;
+  const bool ends = !phases_.empty() && std::isinf(phases_.back().end);
+  if (ends) phases_.back().end = time;
+  if (!(value >= 0 && value < static_cast<double>(kPocketPhases.size()))) return ends;
+  const std::string name = kPocketPhases[static_cast<std::size_t>(value)];
+  phases_.push_back({name, time, std::numeric_limits<double>::infinity(), name != kClosing && name != kTowing});
+  return true;
+}
+
 std::vector<Phase> phases_of_channel(const std::vector<double>& times, const std::vector<double>& values) {
-  std::vector<Phase> phases;
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    if (i > 0 && values[i] == values[i - 1]) continue;
-    if (i > 0 && !phases.empty()) phases.back().end = std::min(phases.back().end, times[i]);
-    if (!(values[i] >= 0 && values[i] < static_cast<double>(kPocketPhases.size()))) continue;
-    const std::string name = kPocketPhases[static_cast<std::size_t>(values[i])];
-    phases.push_back({name, times[i], std::numeric_limits<double>::infinity(), name != kClosing && name != kTowing});
-  }
-  return phases;
+  PhaseHistory history;
+  for (std::size_t i = 0; i < times.size(); ++i) history.note(times[i], values[i]);
+  return history.phases();
 }
 
 std::vector<Phase> pocket_phases(double closing_start, double closing_end, double towing_start) {

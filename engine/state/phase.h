@@ -3,6 +3,7 @@
 // timeline marks where they begin and end.
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,8 +33,22 @@ inline constexpr const char* kTowing = "towing";
 inline constexpr const char* kPhaseChannel = "capture_phase";
 inline constexpr std::array<const char*, 5> kPocketPhases = {"open", kClosing, "closed", kTowing, "after towing"};
 
-// The phases that such a channel tells. `times` (s) and `values` have equal lengths. Values that are no index count as
-// none.
+// The phases that such a channel tells, as far as they have come: a run that goes on notes frame by frame.
+class PhaseHistory {
+ public:
+  // A frame: its time (s), later than the last one, and the value of the channel. A value that is no index counts as no
+  // phase. Returns whether the phases have changed.
+  bool note(double time, double value);
+
+  // The present one has no end yet: infinite.
+  const std::vector<Phase>& phases() const { return phases_; }
+
+ private:
+  std::vector<Phase> phases_;
+  std::optional<double> last_;  // value of the last frame
+};
+
+// The phases of a whole channel. `times` (s) and `values` have equal lengths.
 std::vector<Phase> phases_of_channel(const std::vector<double>& times, const std::vector<double>& values);
 
 // The phases of a pocket: open, closing, closed, towing. Times in s; `closing_end` NaN: unknown; `towing_start` NaN: it

@@ -42,6 +42,7 @@ StudyRecord run_json(const RunData& run, const std::string& variant, const Scena
 MetricOptions options_of(const Scenario& scenario, const RunOrigin& origin, const Structure& structure) {
   MetricOptions options = metric_options(scenario, structure);
   options.closing_end = phase_end(origin.phases, kClosing);
+  options.phases = origin.phases;
   return options;
 }
 

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "engine/study/read_study.h"
 
@@ -66,7 +68,34 @@ class CampaignReader {
     if (sensitivity.levels % 2 != 0) report_(table, "sensitivity.levels", "is an even number");
   }
 
+  void read_statement(const toml::table& table) {
+    check_names(table, {"text", "column", "variant", "against", "at_most", "at_least"});
+    StudyStatement statement{.text = text(table, "text", ""),
+                             .column = text(table, "column", ""),
+                             .variant = text(table, "variant", study_.variants.front().name),
+                             .against = text(table, "against", "")};
+    if (statement.text.empty()) report_(table, "statement.text", "says what is stated, in a sentence");
+    if (statement.column.empty()) report_(table, "statement.column", "names a column of the table (study_columns.csv)");
+    for (const auto& [key, name] : {std::pair("variant", statement.variant), {"against", statement.against}}) {
+      const bool is_known = std::ranges::count(study_.variants, name, &NamedSettings::name) > 0;
+      if (table.contains(key) && !is_known)
+        report_(*table.get(key), fmt::format("statement.{}", key), "is not the name of a [[variant]]");
+    }
+    statement.at_most = limit(table, "at_most");
+    statement.at_least = limit(table, "at_least");
+    if (!statement.at_most && !statement.at_least) report_(table, "statement", "needs 'at_most' or 'at_least'");
+    study_.statements.push_back(std::move(statement));
+  }
+
  private:
+  std::optional<double> limit(const toml::table& table, const std::string& key) {
+    const toml::node* node = table.get(key);
+    if (!node) return std::nullopt;
+    const auto value = node->is_number() ? node->value<double>() : std::nullopt;
+    if (!value || !std::isfinite(*value)) report_(*node, "statement." + key, "expects a finite number");
+    return value;
+  }
+
   void check_names(const toml::table& table, const std::vector<std::string>& known) {
     for (const auto& [name, node] : entries(table)) {
       if (std::ranges::find(known, name) != known.end()) continue;
@@ -115,6 +144,11 @@ void read_campaign(const toml::table& file, Study& study, const ReportProblem& r
   read("estimate", &CampaignReader::read_estimate);
   read("until", &CampaignReader::read_until);
   read("sensitivity", &CampaignReader::read_sensitivity);
+  const toml::node* statements = file.get("statement");
+  if (!statements) return;
+  if (!statements->is_array_of_tables())
+    return report(*statements, "statement", "is a list of tables: write [[statement]] before each");
+  for (const toml::node& statement : *statements->as_array()) reader.read_statement(*statement.as_table());
 }
 
 }  // namespace netpocket

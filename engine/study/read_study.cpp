@@ -38,7 +38,7 @@ class StudyReader {
     }
     check_names(file, {"name",       "description", "base",  "sampling",    "samples",  "seed",    "keep_recordings",
                        "findings",   "report",      "set",   "vary",        "point",    "variant", "uncertain",
-                       "correlated", "estimate",    "until", "sensitivity", "ensemble", "remarks"});
+                       "correlated", "estimate",    "until", "sensitivity", "ensemble", "remarks", "statement"});
     read_text(file, "name", study_.name);
     read_text(file, "description", study_.description);
     read_base(file);
@@ -331,15 +331,20 @@ class StudyReader {
     check_names(file, {"of", "best", "show"});
     std::string of = "findings";
     read_text(file, "of", of);
-    if (of != "findings" && of != "search") {
-      report(*file.get("of"), "report.of", "expects \"findings\" or \"search\", not " + netpocket::quoted(of));
+    if (of != "findings" && of != "search" && of != "statements") {
+      report(*file.get("of"), "report.of",
+             "expects \"findings\", \"search\" or \"statements\", not " + netpocket::quoted(of));
     }
-    study_.report.of_search = of == "search";
+    study_.report.of = of == "search"       ? ReportOf::search
+                       : of == "statements" ? ReportOf::statements
+                                            : ReportOf::findings;
+    if (of == "statements" && study_.statements.empty())
+      report(file, "report.of", "\"statements\" needs a [[statement]]");
     study_.report.best = static_cast<int>(read_whole(file, "best", 0, INT32_MAX).value_or(0));
     if (!file.contains("show")) return;
     const toml::array* show = file.get_as<toml::array>("show");
     if (!show || !show->is_homogeneous<std::string>()) {
-      return report(*file.get("show"), "report.show", "expects a list of findings, e.g. [\"F5\", \"F10\"]");
+      return report(*file.get("show"), "report.show", "expects a list of findings or columns, e.g. [\"F5\", \"F10\"]");
     }
     for (const toml::node& id : *show) study_.report.show.push_back(*id.value<std::string>());
   }

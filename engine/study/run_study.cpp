@@ -357,7 +357,7 @@ class Collector {
       if (outcome.first_refusal.empty()) outcome.first_refusal = record["refused"].get<std::string>();
       if (!study_.uncertain.empty()) estimator.add(record);
       if (is_sensitivity) sensitivity.add(record);
-      if (study_.has_findings) outcome.records.push_back(std::move(record));
+      if (study_.has_findings || study_.report.of == ReportOf::statements) outcome.records.push_back(std::move(record));
     }
     outcome.estimates = estimator.estimates();
     if (is_sensitivity) outcome.sensitivities = sensitivity.estimates();

@@ -7,6 +7,7 @@
 
 #include "engine/study/findings_report.h"
 #include "engine/study/report_text.h"
+#include "engine/study/statements_report.h"
 
 namespace netpocket {
 namespace {
@@ -120,7 +121,8 @@ std::string search_report(const Study& study, const std::vector<StudyRecord>& re
 }
 
 std::string study_report(const Study& study, const std::vector<StudyRecord>& records) {
-  return study.report.of_search ? search_report(study, records) : findings_report(study, records);
+  if (study.report.of == ReportOf::statements) return statements_report(study, records);
+  return study.report.of == ReportOf::search ? search_report(study, records) : findings_report(study, records);
 }
 
 }  // namespace netpocket

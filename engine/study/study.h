@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -75,11 +76,24 @@ struct StudyEnsemble {
   double perturbation = 1e-6;
 };
 
-// The document that --report writes.
+// What the document that --report writes is about: the findings of the first point, the best of many points, or the
+// study's own statements.
+enum class ReportOf { findings, search, statements };
+
 struct StudyReport {
-  bool of_search = false;         // true: the best of many points; false: findings of the first point
+  ReportOf of = ReportOf::findings;
   int best = 0;                   // search: number of points in the table; 0: all
-  std::vector<std::string> show;  // search: findings whose values the table shows
+  std::vector<std::string> show;  // search: findings whose values the table shows; statements: columns of the table
+};
+
+// A statement about a column of the table: at every point, the number of a variant, or what it is of that of another
+// variant, lies within limits.
+struct StudyStatement {
+  std::string text;
+  std::string column;
+  std::string variant;
+  std::string against;  // variant by which the number is divided; empty: none
+  std::optional<double> at_most{}, at_least{};
 };
 
 struct Study {
@@ -102,7 +116,8 @@ struct Study {
   StudySensitivity sensitivity;
   StudyEnsemble ensemble;
   StudyReport report;
-  std::map<std::string, std::string> remarks;  // by finding ("F5"), shown in the report
+  std::vector<StudyStatement> statements;      // in the order of the file
+  std::map<std::string, std::string> remarks;  // by finding ("F5") or statement ("S1"), shown in the report
 };
 
 struct StudyPoint {

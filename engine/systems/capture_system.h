@@ -35,6 +35,8 @@ struct CaptureSystem {
   // Fills the channels that only this kind of system has. All else in the snapshot has just been captured from the
   // system. May be empty.
   std::function<void(const CableSystem& system, Snapshot& snapshot)> fill_channels;
+  // Which events the run has awaited in vain until a time (s), as a part of a sentence; empty text: none. May be empty.
+  std::function<std::string(double time)> awaited;
 };
 
 struct CaptureSystemKind {

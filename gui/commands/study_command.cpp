@@ -194,8 +194,9 @@ ExitCode run(const StudyChoice& choice, const std::string& command_line) {
     return ExitCode::interrupted;
   }
   if (!choice.report.empty() && (study.has_findings || outcome.has_tables)) {
-    const std::string report = study.has_findings ? study_report(study, outcome.records)
-                                                  : campaign_report(study, outcome, read_study_results(choice.output));
+    const bool judges = study.has_findings || study.report.of == ReportOf::statements;
+    const std::string report = judges ? study_report(study, outcome.records)
+                                      : campaign_report(study, outcome, read_study_results(choice.output));
     write_whole_file(choice.report, FileKind::markdown, report);
   }
   require_valid_point(outcome);

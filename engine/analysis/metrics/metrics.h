@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/state/phase.h"
 #include "engine/state/snapshot.h"
 #include "engine/state/structure.h"
 
@@ -35,6 +36,7 @@ struct MetricHistory {
 // What a structure does not tell.
 struct MetricOptions {
   double closing_end = std::numeric_limits<double>::quiet_NaN();  // s; NaN: unknown
+  std::vector<Phase> phases = {};                                 // as far as they are known before the run
   double interval = 0.1;                                          // s between evaluations of the net's geometry
   std::vector<double> strengths = {};  // N, breaking force of cables by element group; 0: not known
   // kg m^2, of the target about its centre of mass, body axes. Without it the shape is taken as filled evenly.

@@ -7,6 +7,7 @@
 #include "engine/analysis/metrics/mouth_passage.h"
 #include "engine/analysis/metrics/net_cover.h"
 #include "engine/analysis/metrics/net_geometry.h"
+#include "engine/analysis/metrics/phase_peaks.h"
 #include "engine/analysis/metrics/quality_index.h"
 #include "engine/analysis/metrics/target_loads.h"
 
@@ -52,7 +53,8 @@ struct MetricsCollector::Impl {
         target(body_with(of, BodyRole::target)),
         spacecraft(body_with(of, BodyRole::spacecraft)),
         utilisation(of, with.strengths),
-        passage(of, target, with.closing_end) {
+        passage(of, target, with.closing_end),
+        peaks(spacecraft, with.phases) {
     if (!target) return;
     const StructureBody& body = of.bodies[*target];
     geometry.emplace(body.shape);
@@ -66,6 +68,7 @@ struct MetricsCollector::Impl {
     passage.add(snapshot, nodes);
     if (target) loads.add(structure, snapshot, static_cast<std::int32_t>(*target));
     if (std::isnan(first_contact) && is_touched(snapshot)) first_contact = snapshot.time;
+    peaks.add(snapshot, !std::isnan(first_contact));
     // Times of frames are sums of steps.
     constexpr double kRoundOff = 1e-9;
     if (history.time.empty() || snapshot.time >= history.time.back() + options.interval - kRoundOff) {
@@ -100,6 +103,7 @@ struct MetricsCollector::Impl {
   void list_motion(std::vector<Metric>& list) const;
   void list_loads(std::vector<Metric>& list) const;
   void list_energy(std::vector<Metric>& list) const;
+  void list_peaks(std::vector<Metric>& list) const;
 
   const Structure& structure;
   const MetricOptions options;
@@ -109,6 +113,7 @@ struct MetricsCollector::Impl {
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
   CordUtilisation utilisation;
   MouthPassage passage;
+  PhasePeaks peaks;
   TargetLoads loads;
   MetricHistory history;
   std::optional<Snapshot> first, last;
@@ -199,6 +204,22 @@ void MetricsCollector::Impl::list_energy(std::vector<Metric>& list) const {
   }
 }
 
+void MetricsCollector::Impl::list_peaks(std::vector<Metric>& list) const {
+  list.push_back(
+      {"attitude_peak", "rad", "largest angle of the spacecraft from its attitude at the start", peaks.attitude()});
+  list.push_back({"impact_attitude", "rad",
+                  "largest angle from its attitude at the start, from first contact until the towing", peaks.impact()});
+  list.push_back({"closing_tension_peak", "N", "largest tension of the closing ropes, mean over the sides, in closing",
+                  peaks.closing_tension()});
+  list.push_back({"closing_tension_end", "N",
+                  "tension of the closing ropes, mean over the sides and the last fifth of the closing",
+                  peaks.end_tension()});
+  list.push_back(
+      {"towing_force_peak", "N", "largest pull of the pocket on the target along -Y in towing", peaks.towing_force()});
+  list.push_back({"towing_thrust_peak", "N", "largest thrust of the spacecraft's controllers along -Y in towing",
+                  peaks.towing_thrust()});
+}
+
 std::vector<Metric> MetricsCollector::Impl::metrics() const {
   std::vector<Metric> list;
   list_mouth(list);
@@ -206,6 +227,7 @@ std::vector<Metric> MetricsCollector::Impl::metrics() const {
   list_motion(list);
   list_loads(list);
   list_energy(list);
+  list_peaks(list);
   return list;
 }
 

@@ -47,6 +47,7 @@ MetricOptions metric_options(const Scenario& scenario, const Structure& structur
 MetricsOfRun metrics_of(const Recording& recording, const MetricOptions& options) {
   MetricOptions complete = options;
   if (std::isnan(complete.closing_end)) complete.closing_end = phase_end(recording.origin().phases, kClosing);
+  if (complete.phases.empty()) complete.phases = recording.origin().phases;
   MetricsCollector collector(recording.structure(), complete);
   for (std::size_t i = 0; i < recording.frame_count(); ++i) collector.add(recording.frame(i));
   return {collector.metrics(), collector.history()};

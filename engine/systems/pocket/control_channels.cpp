@@ -28,10 +28,11 @@ class Writer {
 
 }  // namespace
 
-ControlChannels::ControlChannels(ClosedLoop* loop, const WinchControl* winches,
+ControlChannels::ControlChannels(ClosedLoop* loop, const WinchControl* winches, const Deflation* deflation,
                                  std::shared_ptr<const CaptureTimes> events, std::int32_t spacecraft)
-    : loop_(loop), winches_(winches), events_(std::move(events)), spacecraft_(spacecraft) {
+    : loop_(loop), winches_(winches), deflation_(deflation), events_(std::move(events)), spacecraft_(spacecraft) {
   if (events_) add(kPhaseChannel, "1", "phase of the capture: 0 open, 1 closing, 2 closed, 3 towing, 4 after towing");
+  if (deflation_ != nullptr) add("rod_pressure", "Pa", "pressure of the gas in the rods");
   if (loop_ != nullptr) add_loop();
   if (winches_ != nullptr) add_winches();
 }
@@ -82,6 +83,7 @@ void ControlChannels::add_winches() {
 void ControlChannels::fill(Snapshot& snapshot) const {
   Writer out(snapshot, infos_.size());
   if (events_) out.write(events_->phase_at(snapshot.time));
+  if (deflation_ != nullptr) out.write(deflation_->pressure());
   if (loop_ != nullptr) {
     const BodyState& craft = snapshot.bodies[static_cast<std::size_t>(spacecraft_)];
     out.write(craft.attitude.w());

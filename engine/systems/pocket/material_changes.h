@@ -1,13 +1,16 @@
 #pragma once
 // Changes material properties during a run: the friction of contacts, and the pressure in the rods through their
 // wrinkling moment. Each changes gradually within 0.5 s (gradual_change.h), so that no force jumps. For the
-// wrinkling moment its inverse changes gradually, which is zero for rods that do not wrinkle. The work of the change
-// counts as energy put in.
+// wrinkling moment its inverse changes gradually, which is zero for rods that do not wrinkle. Deflation (deflation.h)
+// lowers that moment in proportion to the pressure. The work of the change counts as energy put in.
 
 #include <array>
 #include <functional>
+#include <memory>
 
+#include "engine/control/capture_times.h"
 #include "engine/control/controller.h"
+#include "engine/control/deflation.h"
 #include "engine/control/gradual_change.h"
 #include "engine/scenario/scenario.h"
 
@@ -16,7 +19,10 @@ namespace netpocket {
 class MaterialChanges : public Controller {
  public:
   // `lower_rods`, `upper_rods`: indices of the rods' materials, below and above the kinks.
-  MaterialChanges(const Scenario& scenario, std::int32_t lower_rods, std::int32_t upper_rods);
+  MaterialChanges(const Scenario& scenario, std::int32_t lower_rods, std::int32_t upper_rods,
+                  std::shared_ptr<const CaptureTimes> times);
+
+  const Deflation& deflation() const { return deflation_; }
 
   void update(const Measurements& measurements, double interval, Commands& commands) override;
   void change(const Scenario& scenario, double now) override;
@@ -32,6 +38,7 @@ class MaterialChanges : public Controller {
   };
 
   GradualChange friction_;
+  Deflation deflation_;
   std::array<Rods, 2> rods_;  // below and above the kinks
 };
 

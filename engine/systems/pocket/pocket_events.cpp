@@ -1,5 +1,7 @@
 #include "engine/systems/pocket/pocket_events.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 
@@ -47,6 +49,21 @@ void PocketEvents::adopt_given_times() {
   const bool tows = towing_.mode != TowingMode::none;
   const double start = towing_.starts_at == TowingStart::time ? towing_.start : times_->closing_end;
   times_->towing_start = tows ? start : kNever;
+}
+
+std::string PocketEvents::awaited(double time) const {
+  const bool tow_waits = towing_.mode != TowingMode::none && towing_.starts_at == TowingStart::closed;
+  if (closing_.starts_at != ClosingStart::time && std::isinf(times_->closing_start)) {
+    const std::string reason = closing_.starts_at == ClosingStart::distance
+                                   ? fmt::format("spacecraft and target came no nearer than {:g} m", closing_.distance)
+                                   : "the target was never inside the pocket";
+    const std::string since = closing_.start > 0 ? fmt::format(" from {:g} s on", closing_.start) : "";
+    return fmt::format("the closing never started, since {}{}{}", reason, since,
+                       tow_waits ? "; nor did the towing" : "");
+  }
+  if (tow_waits && time < times_->towing_start)
+    return fmt::format("the towing never started, since the mouth is closed at {:.4g} s only", times_->towing_start);
+  return "";
 }
 
 bool PocketEvents::closing_begins(const Measurements& measurements) const {

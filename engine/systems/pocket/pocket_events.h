@@ -3,6 +3,7 @@
 // nothing: it keeps the times that the other controllers share, and so comes before them.
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "engine/control/capture_times.h"
@@ -17,6 +18,8 @@ class PocketEvents : public Controller {
   PocketEvents(const Scenario& scenario, const Pocket& pocket);
 
   std::shared_ptr<const CaptureTimes> times() const { return times_; }
+  // Which events have been awaited in vain until a time (s), as a part of a sentence; empty: none.
+  std::string awaited(double time) const;
 
   void update(const Measurements& measurements, double interval, Commands& commands) override;
   void after_step(const Measurements& measurements, double dt) override;

@@ -64,8 +64,11 @@ CaptureSystem build(const Scenario& scenario) {
   CaptureSystem system;
   std::vector<double> open_lengths;
   for (const VariableRope& rope : pocket.model.ropes) open_lengths.push_back(rope.motion.length);
-  add_controller<MaterialChanges>(system, scenario, pocket.lower_rods, pocket.upper_rods);
-  const auto times = add_controller<PocketEvents>(system, scenario, pocket)->times();
+  const PocketEvents* watch = add_controller<PocketEvents>(system, scenario, pocket);
+  system.awaited = [watch](double time) { return watch->awaited(time); };
+  const auto times = watch->times();
+  const auto* materials =
+      add_controller<MaterialChanges>(system, scenario, pocket.lower_rods, pocket.upper_rods, times);
   add_controller<SpacecraftDrive>(system, scenario.towing, scenario.spacecraft.station_keeping,
                                   total_mass(pocket.model), pocket.spacecraft, times);
   const WinchControl* winches = nullptr;
@@ -85,7 +88,9 @@ CaptureSystem build(const Scenario& scenario) {
   system.target = pocket.target;
   system.structure = std::move(pocket.structure);
   const auto events = has_events(scenario) ? times : nullptr;
-  add_channels(system, channels, ControlChannels(loop, winches, events, pocket.spacecraft));
+  const Deflation* deflation =
+      scenario.deflation.starts_at == DeflationStart::never ? nullptr : &materials->deflation();
+  add_channels(system, channels, ControlChannels(loop, winches, deflation, events, pocket.spacecraft));
   system.model = std::move(pocket.model);
   return system;
 }

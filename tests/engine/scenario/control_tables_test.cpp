@@ -172,11 +172,42 @@ TEST(ControlTables, BadInputGetsOneSentenceWithItsLine) {
       {"[winch]\njammed = [[3, 1]]", "own.toml:2: winch.jammed: needs a winch.drive other than"},
       {"[winch]\ndrive = \"length\"\njammed = [[9, 1]]", "own.toml:3: winch.jammed: row 1 names rope 9"},
       {"[target]\nthrust = [1, 0, 0]\nacts_until = 0", "own.toml:3: target.acts_until: must be later"},
+      {"[target]\nthrust = [1, 0, 0]\nacts_from = 20",
+       "own.toml:3: target.acts_from: thrust and torque never act: the "},
+      {"[deflation]\nstarts_at = \"open\"", "own.toml:2: deflation.starts_at: expects one of \"never\", \"time\""},
+      {"[deflation]\nstarts_at = \"closing\"",
+       "deflation.pressure: must be below rods.pressure = 0 Pa, or there is nothing to let out"},
+      {"[deflation]\nrate = 0", "own.toml:2: deflation.rate: must be > 0"},
+      {"[rods]\npressure = 2e5\n[deflation]\nstarts_at = \"closed\"\nstart = 10",
+       "own.toml:4: deflation.starts_at: the rods are never deflated: that starts at 20 s, but the run ends at 20 s"},
+      {"[closing]\nstarts_at = \"contact\"", "own.toml:2: closing.starts_at: expects one of \"time\""},
+      {"[closing]\nstarts_at = \"distance\"\nstart = 20",
+       "own.toml:3: closing.start: the closing never starts: it waits for its event from 20 s on, but the run ends at "
+       "20 s"},
+      {"[towing]\nstarts_at = \"closed\"\n[closing]\nstarts_at = \"target_inside\"\nstart = 12",
+       "own.toml:2: towing.starts_at: the towing never starts: the mouth is closed at 22 s at the earliest, but"},
+      {"[towing]\nstarts_at = \"closed\"\n[output]\nend_time = 10",
+       "own.toml:2: towing.starts_at: the towing never starts: the mouth is closed at 10 s, but the run ends at 10 s"},
+      {"[towing]\nmode = \"none\"\nabort_force = 10", "own.toml:3: towing.abort_force: there is no towing"},
+      {"[[controller]]\nphase = \"closing\"\n[closing]\nstart = 30",
+       "own.toml:2: controller.0.phase: the phase never comes: it begins at 30 s, but the run ends at 20 s"},
+      {"[[controller]]\nphase = \"towing\"\n[towing]\nstart = 25", "own.toml:2: controller.0.phase: the phase never"},
   };
   for (const BadInput& bad : cases) {
     const std::string text = problems_of(bad.text);
     EXPECT_NE(text.find(bad.message), std::string::npos) << bad.text << "\ngives\n" << text;
   }
+}
+
+// The end of a recorded run may move when it is resumed, and a run without closing is a run.
+TEST(ControlTables, WhatComesInTimeIsNotRefused) {
+  EXPECT_EQ(problems_of("[closing]\nstarts_at = \"distance\"\nstart = 19.9\n[towing]\nmode = \"none\""), "");
+  EXPECT_EQ(problems_of("[closing]\nstart = 30"), "");
+  EXPECT_EQ(problems_of("[towing]\nstarts_at = \"closed\"\n[output]\nend_time = 10.1"), "");
+  Scenario waiting = read("[closing]\nstarts_at = \"distance\"").scenario;
+  waiting.closing.start = waiting.output.end_time;
+  EXPECT_FALSE(check_scenario(waiting).ok());
+  EXPECT_TRUE(check_scenario(waiting, RunEnd::open).ok());
 }
 
 TEST(ControlTables, MoreItemsThanAllowedAreRefused) {

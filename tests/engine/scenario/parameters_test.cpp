@@ -65,8 +65,8 @@ TEST(ParameterTable, DeclaresEveryMember) {
   // Does not compile when a member is added; then declare it in the table and count it here.
   const Scenario s;
   [[maybe_unused]] const auto& [n, d, system, pocket, net, rope, rods, spacecraft, target, contact, closing, towing,
-                                winch, actuators, solver, output, controllers, sensors, thrusters, wheels, own, files] =
-      s;
+                                winch, deflation, actuators, solver, output, controllers, sensors, thrusters, wheels,
+                                own, files] = s;
   const auto count = [](std::string_view group) { return parameters_of(*find_parameter_group(group)).size(); };
   EXPECT_EQ(count(""), 3u);
   {
@@ -105,6 +105,10 @@ TEST(ParameterTable, DeclaresEveryMember) {
   {
     [[maybe_unused]] const auto& [a, b, c, e, f, g, h, i, j, k, l, m, o, p, q, r, t] = winch;
     EXPECT_EQ(count("winch"), 17u);
+  }
+  {
+    [[maybe_unused]] const auto& [a, b, c, e] = deflation;
+    EXPECT_EQ(count("deflation"), 4u);
   }
   {
     [[maybe_unused]] const auto& [a, b, c, e, f, g] = actuators;

@@ -30,6 +30,21 @@ TEST(Phases, OfAChannel) {
   EXPECT_TRUE(phases_of_channel({}, {}).empty());
 }
 
+// What a run that is still under way shows: the present phase has no end.
+TEST(Phases, ComeFrameByFrame) {
+  PhaseHistory history;
+  EXPECT_TRUE(history.phases().empty());
+  EXPECT_TRUE(history.note(0, 0));
+  EXPECT_FALSE(history.note(0.02, 0));
+  EXPECT_EQ(history.phases(), (std::vector<Phase>{{"open", 0, kNever, true}}));
+  EXPECT_TRUE(history.note(0.04, 1));
+  EXPECT_EQ(history.phases(), (std::vector<Phase>{{"open", 0, 0.04, true}, {"closing", 0.04, kNever, false}}));
+  EXPECT_TRUE(history.note(0.06, kNone));
+  EXPECT_FALSE(history.note(0.08, 7));
+  EXPECT_EQ(history.phases().back(), (Phase{"closing", 0.04, 0.06, false}));
+  EXPECT_EQ(history.phases().size(), 2u);
+}
+
 TEST(Phases, AreFoundByNameAndTime) {
   const std::vector<Phase> phases = pocket_phases(1, 5, 8);
   EXPECT_EQ(phase_begin(phases, "towing"), 8);

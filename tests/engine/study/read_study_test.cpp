@@ -65,7 +65,7 @@ show = ["F5", "F10"]
   EXPECT_EQ(study.ensemble.runs, 16);
   EXPECT_EQ(study.ensemble.perturbation, 1e-7);
   EXPECT_EQ(study.remarks.at("F5"), "why");
-  EXPECT_TRUE(study.report.of_search);
+  EXPECT_EQ(study.report.of, ReportOf::search);
   EXPECT_EQ(study.report.best, 3);
   EXPECT_EQ(study.report.show, (std::vector<std::string>{"F5", "F10"}));
 }
@@ -77,7 +77,16 @@ TEST(ReadStudy, SaysWhatIsWrong) {
   } cases[] = {
       {"[vary]\ntarget.radios = [4]", "study.toml:3: \"target.radios\" is not a parameter; did you mean"},
       {"[vary]\ntarget.radius = [4, \"five\"]", "study.toml:3: target.radius: expects a number in m"},
-      {"[report]\nof = \"all\"", "study.toml:3: report.of: expects \"findings\" or \"search\""},
+      {"[report]\nof = \"all\"", "study.toml:3: report.of: expects \"findings\", \"search\" or \"statements\""},
+      {"[report]\nof = \"statements\"", "study.toml:2: report.of: \"statements\" needs a [[statement]]"},
+      {"[statement]\ntext = \"a\"", "statement: is a list of tables: write [[statement]]"},
+      {"[[statement]]\ntext = \"a\"\nat_most = 1", "study.toml:2: statement.column: names a column of the table"},
+      {"[[statement]]\ncolumn = \"a\"\nat_most = 1", "study.toml:2: statement.text: says what is stated"},
+      {"[[statement]]\ntext = \"a\"\ncolumn = \"b\"", "study.toml:2: statement: needs 'at_most' or 'at_least'"},
+      {"[[statement]]\ntext = \"a\"\ncolumn = \"b\"\nat_most = nan",
+       "study.toml:5: statement.at_most: expects a finite number"},
+      {"[[statement]]\ntext = \"a\"\ncolumn = \"b\"\nat_most = 1\nagainst = \"c\"",
+       "study.toml:6: statement.against: is not the name of a [[variant]]"},
       {"[report]\nshow = [5]", "study.toml:3: report.show: expects a list of findings"},
       {"[vary]\ntarget.radius = []", "target.radius: has no values"},
       {"[vary]\ntarget.radius = 4", "expects a list of values or { from = ..."},

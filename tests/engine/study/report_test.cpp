@@ -126,7 +126,7 @@ TEST(SearchReport, RanksPointsAndShowsValues) {
   study.description = "Over radii.";
   study.places = {{}};
   study.variants = {{}};
-  study.report = {.of_search = true, .best = 2, .show = {"F2"}};
+  study.report = {.of = ReportOf::search, .best = 2, .show = {"F2"}};
   const Json yes = finding("F1", true, true), no = finding("F1", true, false);
   StudyRecord refused = record(4, "", Json::array());
   refused["runs"] = Json::array();
@@ -145,9 +145,71 @@ TEST(SearchReport, RanksPointsAndShowsValues) {
   EXPECT_FALSE(contains(text, "point 1 ")) << text;
 }
 
+// A run of a variant with a metric.
+Json measured(const std::string& variant, double angle) {
+  return {{"variant", variant}, {"reason", "finished"}, {"captured", true}, {"metrics", {{"impact_attitude", angle}}}};
+}
+
+StudyRecord drawn(const std::string& place, int seed, double plain, double good) {
+  StudyRecord record = {{"point", 1},    {"outcome", "done"}, {"place", place},           {"draw", 0},
+                        {"refused", ""}, {"settings", {}},    {"findings", Json::array()}};
+  record["settings"]["solver.seed"] = std::to_string(seed);
+  record["runs"] = Json::array({measured("plain", plain), measured("good", good)});
+  return record;
+}
+
+// Draws of a point are judged together; a statement about a ratio takes that of each draw.
+TEST(StatementsReport, JudgesEachPointByAllItsDraws) {
+  Study study;
+  study.name = "Impact";
+  study.file = "impact";
+  study.places = {{}};
+  study.variants = {{"plain", {}}, {"good", {}}};
+  study.axes = {{.key = "solver.seed", .values = {"1", "2"}}};
+  study.report = {.of = ReportOf::statements, .show = {"impact_attitude"}};
+  study.statements = {
+      {.text = "It turns | a tenth.",
+       .column = "impact_attitude",
+       .variant = "good",
+       .against = "plain",
+       .at_most = 0.1},
+      {.text = "It turns at all.", .column = "impact_attitude", .variant = "good", .against = "", .at_least = 0.01}};
+  study.remarks["S1"] = "Because.";
+  const std::string text =
+      study_report(study, {drawn("fast", 1, 2, 0.1), drawn("fast", 2, 4, 0.4), drawn("slow", 1, 1, 0.05),
+                           drawn("slow", 2, 1, 0.5), drawn("late", 1, 1, 0.5), drawn("late", 2, 2, 1)});
+  EXPECT_TRUE(contains(text, "## Impact\n")) << text;
+  EXPECT_TRUE(contains(text, "| S1 | It turns \\| a tenth. | no, holds at 1 of 3 points |")) << text;
+  EXPECT_TRUE(contains(text, "| S2 | It turns at all. | yes, holds at 3 of 3 points |")) << text;
+  EXPECT_TRUE(contains(text, "| fast | yes | 0.1 to 0.4 | 2 to 4 | 0.05 to 0.1 |")) << text;
+  EXPECT_TRUE(contains(text, "| slow | undecided: in 1 of 2 draws | 0.05 to 0.5 | 1 | 0.05 to 0.5 |")) << text;
+  EXPECT_TRUE(contains(text, "| late | no | 0.5 to 1 | 1 to 2 | 0.5 |")) << text;
+  EXPECT_TRUE(contains(text, "divided by that with plain, is at most 0.1 in each draw.")) << text;
+  EXPECT_TRUE(contains(text, "\nBecause.\n")) << text;
+  EXPECT_TRUE(contains(text, "| late | plain | 1 to 2 |")) << text;
+}
+
+// Neither a run that diverged nor one that was not made counts as a number.
+TEST(StatementsReport, TellsWhatIsNotKnown) {
+  Study study;
+  study.places = {{}};
+  study.variants = {{"plain", {}}};
+  study.report.of = ReportOf::statements;
+  study.statements = {
+      {.text = "It turns little.", .column = "impact_attitude", .variant = "plain", .against = "", .at_most = 1}};
+  StudyRecord diverged = drawn("", 1, 0.5, 0), refused = drawn("", 2, 0.5, 0);
+  diverged["runs"][0]["reason"] = diverged["outcome"] = "diverged";
+  refused["runs"] = Json::array();
+  refused["outcome"] = "refused";
+  const std::string text = study_report(study, {diverged, refused});
+  EXPECT_TRUE(contains(text, "undecided, holds at 0 of 1 points")) << text;
+  EXPECT_TRUE(contains(text, "| all | not known | - |")) << text;
+  EXPECT_TRUE(contains(text, "1 points were refused as not valid. 1 points have runs that diverged.")) << text;
+}
+
 TEST(SearchReport, TellsWhenNothingWasRun) {
   Study study;
-  study.report.of_search = true;
+  study.report.of = ReportOf::search;
   EXPECT_TRUE(contains(study_report(study, {}), "No point was run."));
 }
 

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "engine/study/findings_report.h"
 #include "engine/study/read_study.h"
 
 namespace netpocket {
@@ -45,6 +46,33 @@ TEST(StudyFiles, JudgedPointIsValid) {
   for (const NamedSettings& variant : result.study.variants) {
     const StudyScenario made = study_scenario(result.study, points.front(), variant);
     EXPECT_TRUE(made.diagnostics.ok()) << made.diagnostics.text();
+  }
+}
+
+constexpr const char* kControlStudies[] = {"control_at_impact", "control_gains", "control_rods", "held_spacecraft",
+                                           "deflation"};
+
+TEST(StudyFiles, EveryPointAboutControlIsValid) {
+  for (const std::string name : kControlStudies) {
+    const StudyResult result = read_study_file((kScenarios / "studies" / (name + ".toml")).string());
+    ASSERT_TRUE(result.ok()) << result.diagnostics.text();
+    for (const StudyPoint& point : study_points(result.study)) {
+      for (const NamedSettings& variant : result.study.variants) {
+        const StudyScenario made = study_scenario(result.study, point, variant);
+        EXPECT_TRUE(made.diagnostics.ok()) << name << ", " << point.place << ": " << made.diagnostics.text();
+      }
+    }
+  }
+}
+
+// The document is of the scenarios as they are.
+TEST(StudyFiles, ControlIsJudgedInTheDocument) {
+  const std::string findings = content(kScenarios / "CONTROL_FINDINGS.md");
+  for (const std::string name : kControlStudies) {
+    const StudyResult result = read_study_file((kScenarios / "studies" / (name + ".toml")).string());
+    EXPECT_NE(findings.find("netpocket study " + name + ".toml --report`; scenarios " + study_identity(result.study)),
+              findings.npos)
+        << name << ": make it anew with ./dev control";
   }
 }
 

@@ -105,6 +105,35 @@ TEST(Metrics, OfACapture) {
   EXPECT_NEAR(collector.history().mouth_area[2], 0.25, 1e-14);
 }
 
+// Attitude and forces by phases: closing until 2 s, towing from 3 s on.
+TEST(Metrics, TellPeaksByPhases) {
+  const BagCapture run;
+  MetricOptions options;
+  options.phases = pocket_phases(0, 2, 3);
+  MetricsCollector collector(run.net.structure, options);
+  const auto add = [&](double time, double angle, double tension, double force, bool touches) {
+    Snapshot s = run.frame(time, 3);
+    s.bodies[0].attitude = Eigen::AngleAxisd(0.2 + angle, Eigen::Vector3d(0.6, 0, 0.8));
+    s.channel(Channel::closing_tension) = tension;
+    s.channel(Channel::contact_fy) = force;
+    s.channel(Channel::contact_count) = touches ? 1 : 0;
+    collector.add(s);
+  };
+  add(0, 0, 5, 0, false);
+  add(1, -0.3, 9, 0, false);
+  add(1.9, 0.01, 4, -70, true);
+  add(2.5, -0.02, 50, 40, true);
+  add(3, 0.05, 60, -20, true);
+  add(4, 0.5, 60, 30, false);
+  auto value = by_name(collector.metrics());
+  EXPECT_NEAR(value["attitude_peak"], 0.5, 1e-14);
+  EXPECT_NEAR(value["impact_attitude"], 0.02, 1e-14);
+  EXPECT_EQ(value["closing_tension_peak"], 9);
+  EXPECT_EQ(value["closing_tension_end"], 4);
+  EXPECT_EQ(value["towing_force_peak"], 20);
+  EXPECT_TRUE(std::isnan(value["towing_thrust_peak"]));
+}
+
 TEST(Metrics, TakesTheGivenInertia) {
   const BagCapture run;
   MetricOptions options;

@@ -96,6 +96,36 @@ TEST(PocketControl, RecordingsTellThePhasesThatEventsBegan) {
   EXPECT_EQ(phases[2].name, "closed");
 }
 
+// Such a run is whole, and says that it waited in vain.
+TEST(PocketControl, RunsTellWhichEventNeverCame) {
+  Scenario scenario = coarse();
+  scenario.closing.starts_at = ClosingStart::distance;
+  scenario.closing.distance = 8.4;  // they are 8.5 m apart, at rest
+  scenario.closing.duration = 0.2;
+  scenario.towing = {.mode = TowingMode::force, .starts_at = TowingStart::closed, .size = 5};
+  scenario.output.end_time = 0.3;
+  expect_valid(scenario);
+  const std::string path = testing::TempDir() + "/awaited.h5";
+  EXPECT_EQ(run_to_recording(scenario, path, {.overwrite = true}).status.message,
+            "reached the end time; the closing never started, since spacecraft and target came no nearer than 8.4 m; "
+            "nor did the towing");
+  scenario.target.velocity = {0, -1, 0};  // 0.1 m takes 0.1 s, and the closing 0.2 s more
+  scenario.closing.duration = 0.25;
+  Simulation late(scenario);
+  after(late, 0.3);
+  EXPECT_EQ(late.awaited().substr(0, 59), "the towing never started, since the mouth is closed at 0.35");
+  scenario.closing.starts_at = ClosingStart::target_inside;
+  scenario.target.position = {0, 13, 0};
+  scenario.towing.mode = TowingMode::none;
+  Simulation outside(scenario);
+  after(outside, 0.3);
+  EXPECT_EQ(outside.awaited(), "the closing never started, since the target was never inside the pocket");
+  scenario.target.position = {0, 12, 0};
+  Simulation inside(scenario);
+  after(inside, 0.3);
+  EXPECT_EQ(inside.awaited(), "");
+}
+
 TEST(PocketControl, ClosingStartsAtADistance) {
   Scenario scenario = coarse();
   scenario.closing.starts_at = ClosingStart::distance;
@@ -151,6 +181,24 @@ TEST(PocketControl, WinchesWindByTheErrorOfTheTension) {
   EXPECT_NEAR(rate, 0.02 * (tension - 5), 0.01);
 }
 
+// Rods that are deflated at once are rods of the pressure that stays: both wrinkle at pi p r^3/2 (Comer & Levy 1963).
+TEST(PocketControl, DeflatedRodsAreThoseOfTheirPressure) {
+  Scenario limp = coarse(), deflated = coarse(), stiff = coarse();
+  limp.rods.pressure = 5e3;
+  deflated.rods.pressure = stiff.rods.pressure = 200e3;
+  deflated.deflation = {.starts_at = DeflationStart::closing, .rate = 1e9, .pressure = 5e3};
+  for (Scenario* scenario : {&limp, &deflated, &stiff}) scenario->rods.hinge_stiffness = 1000;
+  expect_valid(deflated);
+  Simulation a(limp), b(deflated), c(stiff);
+  const Snapshot expected = after(a, 1.5), found = after(b, 1.5), unlike = after(c, 1.5);
+  EXPECT_LT((found.positions - expected.positions).cwiseAbs().maxCoeff(), 1e-6);
+  EXPECT_GT((unlike.positions - expected.positions).cwiseAbs().maxCoeff(), 1e-2);
+  EXPECT_DOUBLE_EQ(channel(found, "rod_pressure"), 5e3);
+  EXPECT_TRUE(std::isnan(channel(expected, "rod_pressure")));
+  // The gas leaves before the rods bend, so that no energy is taken from them, and none is lost in the account.
+  EXPECT_LT(std::abs(channel(found, "energy_error")), 0.02 * channel(found, "energy_input"));
+}
+
 // All parts, with random noise: a restored run goes on with the same bits.
 Scenario everything() {
   Scenario scenario = coarse();
@@ -170,6 +218,8 @@ Scenario everything() {
                       {.kind = SensorKind::rope_tension, .rate = 200, .noise = 0.1, .dropout = 0.1}};
   scenario.actuators = {.kind = ActuatorKind::box, .time_constant = 0.02};
   scenario.wheels = {{{1, 0, 0}, 5, 50}};
+  scenario.rods.pressure = 20e3;
+  scenario.deflation = {.starts_at = DeflationStart::closing, .start = 0.05, .rate = 20e3, .pressure = 5e3};
   return scenario;
 }
 
