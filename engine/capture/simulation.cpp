@@ -351,7 +351,12 @@ std::vector<std::string> Simulation::change_strategy(const Scenario& wanted) {
   std::vector<std::string> need_restart;
   Scenario next = scenario();
   for (const ParameterList& list : parameter_lists(next.system)) {
-    if (list.size(wanted) != list.size(next)) need_restart.emplace_back(list.name);
+    if (list.size(wanted) == list.size(next)) continue;
+    if (acts_at_once(list.name, next.system)) {
+      list.resize(next, list.size(wanted));
+    } else {
+      need_restart.emplace_back(list.name);
+    }
   }
   for (const Parameter* parameter : parameters_of(next)) {
     const bool is_in_both = find_parameter(parameter->key, wanted) != nullptr;

@@ -53,7 +53,7 @@ class Simulation {
   Snapshot snapshot();
 
   // Applies the strategy of another scenario from now on: closing, towing, station keeping, contact friction, the rods'
-  // pressure and the end time. Each changes gradually, without jumps (closing_transition.h, towing.h,
+  // pressure, disturbances and the end time. Each changes gradually, without jumps (closing_transition.h, towing.h,
   // material_changes.h). Returns the keys of all other parameters that differ. These are not applied: they need a new
   // Simulation.
   std::vector<std::string> change_strategy(const Scenario& scenario);

@@ -2,7 +2,9 @@
 
 namespace netpocket {
 
-ActuatorSet::ActuatorSet(const Scenario& scenario) {
+ActuatorSet::ActuatorSet(const Scenario& scenario)
+    : limits_force_(scenario.actuators.kind != ActuatorKind::ideal),
+      limits_torque_(limits_force_ || !scenario.wheels.empty()) {
   const ActuatorParameters& actuators = scenario.actuators;
   if (actuators.kind == ActuatorKind::thrusters) {
     std::vector<Thruster> thrusters;
@@ -44,6 +46,11 @@ Wrench ActuatorSet::step(const Eigen::Vector3d& angular_velocity, double dt) {
   Wrench exerted = box_ ? box_->step(dt) : thrusters_->step(dt);
   if (wheels_) exerted += wheels_->step(angular_velocity, dt);
   return exerted;
+}
+
+double ActuatorSet::torque_load() const {
+  if (wheels_) return wheels_->load();
+  return box_ ? box_->torque_load() : thrusters_->load();
 }
 
 double ActuatorSet::propellant() const { return box_ ? box_->propellant() : thrusters_->propellant(); }

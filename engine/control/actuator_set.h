@@ -23,6 +23,11 @@ class ActuatorSet {
   // The mean wrench (body axes, about the centre of mass) over the next `dt` (s).
   Wrench step(const Eigen::Vector3d& angular_velocity, double dt);
 
+  // Part of the limits that the last command asked for; 1 or more: saturated. 0 without limits.
+  bool limits_force() const { return limits_force_; }
+  bool limits_torque() const { return limits_torque_; }
+  double force_load() const { return box_ ? box_->force_load() : thrusters_->load(); }
+  double torque_load() const;
   double propellant() const;                   // kg consumed so far
   const std::vector<double>& momenta() const;  // N m s, of the wheels
   void visit_state(const NumberVisitor& visit);
@@ -31,6 +36,7 @@ class ActuatorSet {
   std::optional<WrenchBox> box_;  // or thrusters_
   std::optional<Thrusters> thrusters_;
   std::optional<ReactionWheels> wheels_;
+  bool limits_force_, limits_torque_;
 };
 
 }  // namespace netpocket

@@ -25,6 +25,25 @@ struct CaptureTimes {
         return time >= closing_end && time < towing_start;
       case ControlPhase::towing:
         return time >= towing_start && time < towing_end;
+      case ControlPhase::off:
+        return false;
+      case ControlPhase::always:
+        break;
+    }
+    return true;
+  }
+
+  bool has_begun(ControlPhase phase, double time) const {
+    switch (phase) {
+      case ControlPhase::closing:
+        return time >= closing_start;
+      case ControlPhase::closed:
+        return time >= closing_end;
+      case ControlPhase::towing:
+        return time >= towing_start;
+      case ControlPhase::off:
+        return false;
+      case ControlPhase::open:
       case ControlPhase::always:
         break;
     }

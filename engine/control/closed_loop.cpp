@@ -115,6 +115,17 @@ ClosedLoop::Effort ClosedLoop::take_effort(double time) {
   return effort;
 }
 
+ClosedLoop::View ClosedLoop::view(std::size_t controller, const BodyState& craft, const BodyState& target,
+                                  double time) const {
+  const Entry& entry = entries_[controller];
+  ControlPhase phase = entry.parameters.phase;
+  if (phase == ControlPhase::always && entry.parameters.kind == ControllerKind::tow) phase = ControlPhase::towing;
+  LoopState state = times_->has_begun(phase, time) ? LoopState::over : LoopState::waiting;
+  if (times_->is_in(phase, time)) state = LoopState::active;
+  if (phase == ControlPhase::off) state = LoopState::off;
+  return {state, entry.law->tracking(craft, target, time), entry.demand};
+}
+
 Wrench ClosedLoop::disturbance() const {
   Wrench sum;
   for (const Entry& entry : entries_) sum += entry.law->disturbance();

@@ -17,6 +17,7 @@
 #include "engine/control/controller.h"
 #include "engine/control/observed.h"
 #include "engine/control/sample_clock.h"
+#include "engine/state/control_loop_info.h"
 
 namespace netpocket {
 
@@ -39,6 +40,13 @@ class ClosedLoop : public Controller {
   // Sum of the estimates of all observers: force in world axes, torque in body axes.
   Wrench disturbance() const;
   bool has_observer() const;
+  // What one of the controllers, in the order of the scenario, does at `time` (s), by the true state of the bodies.
+  struct View {
+    LoopState state;
+    Tracking tracking;
+    Wrench demand;  // world axes
+  };
+  View view(std::size_t controller, const BodyState& craft, const BodyState& target, double time) const;
   const ActuatorSet& actuators() const { return actuators_; }
 
  private:

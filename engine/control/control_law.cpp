@@ -1,5 +1,6 @@
 #include "engine/control/control_law.h"
 
+#include "engine/control/attitude_error.h"
 #include "engine/control/attitude_pd.h"
 #include "engine/control/double_loop.h"
 #include "engine/control/position_pid.h"
@@ -18,6 +19,11 @@ WantedMotion wanted_attitude(const ControllerParameters& controller) {
   WantedMotion wanted;
   wanted.state.attitude = rotation_by(controller.attitude);
   return wanted;
+}
+
+Tracking attitude_tracking(const BodyState& craft, const WantedMotion& wanted) {
+  return {rotation_vector(wanted.state.attitude), rotation_vector(craft.attitude),
+          rotation_error(craft, wanted.state).error};
 }
 
 SlidingModeGains gains_of(const ControllerParameters& controller) {
@@ -42,6 +48,9 @@ class AttitudePdLaw : public ControlLaw {
   Wrench update(const Observed& observed, double /*time*/, double /*dt*/) override {
     return law_.demand(observed.craft, wanted_);
   }
+  Tracking tracking(const BodyState& craft, const BodyState& /*target*/, double /*time*/) const override {
+    return attitude_tracking(craft, wanted_);
+  }
 
  private:
   AttitudePd law_;
@@ -58,6 +67,9 @@ class AttitudeSlidingLaw : public ControlLaw {
   }
   void note_delivered(const BodyState& craft, const Wrench& exerted) override {
     law_.note_delivered(to_body_axes(craft, exerted.torque));
+  }
+  Tracking tracking(const BodyState& craft, const BodyState& /*target*/, double /*time*/) const override {
+    return attitude_tracking(craft, wanted_);
   }
   Wrench disturbance() const override { return {Eigen::Vector3d::Zero(), law_.disturbance()}; }
   void visit_state(const NumberVisitor& visit) override { law_.visit_state(visit); }
@@ -86,6 +98,9 @@ class DoubleLoopLaw : public ControlLaw {
   void note_delivered(const BodyState& craft, const Wrench& exerted) override {
     law_.note_delivered(to_body_axes(craft, exerted.torque));
   }
+  Tracking tracking(const BodyState& craft, const BodyState& /*target*/, double /*time*/) const override {
+    return attitude_tracking(craft, wanted_);
+  }
   Wrench disturbance() const override { return {Eigen::Vector3d::Zero(), law_.disturbance()}; }
   void visit_state(const NumberVisitor& visit) override { law_.visit_state(visit); }
 
@@ -98,6 +113,13 @@ class DoubleLoopLaw : public ControlLaw {
 class PositionLaw : public ControlLaw {
  public:
   PositionLaw(const ControllerParameters& c, const ControlledCraft& craft) : controller_(c), start_(craft.position) {}
+
+  // A component that is not controlled counts as it is.
+  Tracking tracking(const BodyState& craft, const BodyState& /*target*/, double time) const override {
+    const Eigen::Vector3d error = position_error(craft, wanted(time).state).error;
+    const Eigen::Vector3d controlled = along_axes({error, Eigen::Vector3d::Zero()}).force;
+    return {craft.position - controlled, craft.position, controlled};
+  }
 
  protected:
   WantedMotion wanted(double time) const {
@@ -168,18 +190,24 @@ class TowLaw : public ControlLaw {
   Wrench update(const Observed& observed, double time, double dt) override {
     const bool speed = controller_.quantity == TowQuantity::speed;
     const BodyState &craft = observed.craft, &target = observed.target;
-    const double value = speed ? -craft.velocity.y() : target.position.y() - craft.position.y();
+    const double value = value_of(craft, target);
     const double rate = speed ? 0 : target.velocity.y() - craft.velocity.y();
     if (!begun_) {
       begun_ = true;
       start_ = time;
       from_ = value;
     }
-    const VelocityProfile profile{start_, controller_.ramp, from_, controller_.wanted};
+    const VelocityProfile profile = wanted_profile();
     const double growth = profile.acceleration(time);
     const TowReference wanted{profile.velocity(time), speed ? 0 : growth, speed ? mass_ * growth : 0};
     const double thrust = law_.update({value, rate, -observed.contact_force.y()}, wanted, dt);
     return {{0, -thrust, 0}, Eigen::Vector3d::Zero()};
+  }
+  // Before it begins, it wants what there is.
+  Tracking tracking(const BodyState& craft, const BodyState& target, double time) const override {
+    const double value = value_of(craft, target);
+    const double wanted = begun_ ? wanted_profile().velocity(time) : value;
+    return {{wanted, 0, 0}, {value, 0, 0}, {value - wanted, 0, 0}};
   }
   void restart() override { begun_ = false; }
   void visit_state(const NumberVisitor& visit) override {
@@ -190,6 +218,12 @@ class TowLaw : public ControlLaw {
   }
 
  private:
+  double value_of(const BodyState& craft, const BodyState& target) const {
+    if (controller_.quantity == TowQuantity::speed) return -craft.velocity.y();
+    return target.position.y() - craft.position.y();
+  }
+  VelocityProfile wanted_profile() const { return {start_, controller_.ramp, from_, controller_.wanted}; }
+
   ControllerParameters controller_;
   double mass_;
   TowControl law_;
@@ -203,6 +237,9 @@ class SpinDampingLaw : public ControlLaw {
 
   Wrench update(const Observed& observed, double /*time*/, double /*dt*/) override {
     return law_.demand(observed.craft.angular_velocity);
+  }
+  Tracking tracking(const BodyState& craft, const BodyState& /*target*/, double /*time*/) const override {
+    return {Eigen::Vector3d::Zero(), craft.angular_velocity, craft.angular_velocity};
   }
 
  private:

@@ -17,6 +17,13 @@ struct ControlledCraft {
   Eigen::Vector3d position;  // m, of the centre of mass at the start
 };
 
+// What a law controls: its set point, the value, and by how much that is off. A scalar is the first component.
+struct Tracking {
+  Eigen::Vector3d set_point = Eigen::Vector3d::Zero();
+  Eigen::Vector3d actual = Eigen::Vector3d::Zero();
+  Eigen::Vector3d error = Eigen::Vector3d::Zero();
+};
+
 class ControlLaw {
  public:
   virtual ~ControlLaw() = default;
@@ -25,6 +32,9 @@ class ControlLaw {
   virtual Wrench update(const Observed& observed, double time, double dt) = 0;
   // What the actuators exerted on average since the last update, world axes.
   virtual void note_delivered(const BodyState& /*craft*/, const Wrench& /*exerted*/) {}
+  // Of a true state at `time` (s). Attitude: rotation vectors (rad), the error in body axes. Position (m) and angular
+  // velocity (rad/s): world axes. Tow: speed (m/s) or separation (m).
+  virtual Tracking tracking(const BodyState& craft, const BodyState& target, double time) const = 0;
   // Estimated disturbance: force in world axes, torque in body axes.
   virtual Wrench disturbance() const { return {}; }
   // To be called when parameters have changed: a ramp begins anew.

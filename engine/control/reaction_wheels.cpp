@@ -45,6 +45,15 @@ Wrench ReactionWheels::step(const Eigen::Vector3d& angular_velocity, double dt) 
   return {Eigen::Vector3d::Zero(), (before - after) / dt - angular_velocity.cross(0.5 * (before + after))};
 }
 
+double ReactionWheels::load() const {
+  double load = 0;
+  for (std::size_t i = 0; i < wheels_.size(); ++i) {
+    const bool is_full = std::abs(momenta_[i]) >= wheels_[i].most_momentum;
+    load = std::max(load, is_full ? 1 : std::abs(torques_[i]) / wheels_[i].most_torque);
+  }
+  return load;
+}
+
 Eigen::Vector3d ReactionWheels::momentum() const {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < momenta_.size(); ++i) sum += momenta_[i] * axes_.col(static_cast<Eigen::Index>(i));

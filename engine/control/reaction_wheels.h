@@ -33,6 +33,7 @@ class ReactionWheels {
   // axes).
   Wrench step(const Eigen::Vector3d& angular_velocity, double dt);
 
+  double load() const;  // largest part of a torque limit in the last command; 1 if a wheel is at its momentum limit
   Eigen::Vector3d momentum() const;                                      // sum a_i h_i, N m s, body axes
   const std::vector<double>& wheel_momenta() const { return momenta_; }  // h_i, N m s
 

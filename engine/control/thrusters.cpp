@@ -52,8 +52,10 @@ void Thrusters::command(const Wrench& wanted, double period) {
   impulse << period * wanted.force, period / lever_ * wanted.torque;
   for (Eigen::Index i = 0; i < most.size(); ++i) most[i] = period * thrusters_[i].thrust;
   const Eigen::VectorXd pulses = bounded_least_squares(effects_, impulse, Eigen::VectorXd::Zero(most.size()), most);
+  load_ = 0;
   for (std::size_t i = 0; i < pulses_.size(); ++i) {
     const double bit = thrusters_[i].impulse_bit, pulse = pulses[static_cast<Eigen::Index>(i)];
+    load_ = std::max(load_, pulse / most[static_cast<Eigen::Index>(i)]);
     const double fired = pulse < 0.5 * bit ? 0 : std::max(pulse, bit);
     pulses_[i] = std::max(fired, pulses_[i]);  // what is left of the last pulse goes on
   }
@@ -76,6 +78,7 @@ void Thrusters::visit_state(const NumberVisitor& visit) {
   visit_numbers(visit, pulses_);
   visit_numbers(visit, thrust_);
   visit(propellant_);
+  visit(load_);
 }
 
 }  // namespace netpocket

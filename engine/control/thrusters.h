@@ -44,6 +44,7 @@ class Thrusters {
   Wrench step(double dt);
 
   double propellant() const { return propellant_; }              // kg consumed so far
+  double load() const { return load_; }                          // largest part of full thrust in the last command
   const std::vector<double>& pulses() const { return pulses_; }  // N s, left to be commanded to each valve
 
   void visit_state(const NumberVisitor& visit);
@@ -56,6 +57,7 @@ class Thrusters {
   std::vector<double> pulses_;  // N s
   std::vector<double> thrust_;  // N, behind the lag
   double propellant_ = 0;       // kg
+  double load_ = 0;
 };
 
 }  // namespace netpocket

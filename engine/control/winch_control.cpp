@@ -76,6 +76,18 @@ WinchCommand WinchControl::command_at(std::size_t rope, double time) const {
   return {.mode = WinchMode::length, .value = wanted.length, .rate = wanted.rate};
 }
 
+LoopState WinchControl::state(std::size_t rope, double time) const {
+  if (time >= listed(winch_.jammed, rope, std::numeric_limits<double>::infinity())) return LoopState::jammed;
+  if (command_at(rope, time).brake) return LoopState::waiting;
+  const bool is_done = winch_.drive != WinchDrive::length && winches_[rope].motion().length <= least_length_;
+  return is_done ? LoopState::over : LoopState::active;
+}
+
+double WinchControl::load(std::size_t rope) const {
+  const double torque = std::abs(winches_[rope].torque());
+  return torque > 0 ? torque / winch_.most_torque : 0;
+}
+
 void WinchControl::update(const Measurements& measurements, double interval, Commands& commands) {
   const double now = measurements.time();
   longest_step_ = std::max(longest_step_, interval);

@@ -14,6 +14,7 @@
 #include "engine/control/controller.h"
 #include "engine/control/sensor_channel.h"
 #include "engine/control/winch.h"
+#include "engine/state/control_loop_info.h"
 
 namespace netpocket {
 
@@ -30,6 +31,11 @@ class WinchControl : public Controller {
   void visit_state(const std::function<void(double&)>& visit) override;
 
   const std::vector<Winch>& winches() const { return winches_; }
+  // What one of the winches does at `time` (s), and what it is commanded: m, m/s, N or N m by drive.
+  LoopState state(std::size_t rope, double time) const;
+  double set_point(std::size_t rope, double time) const { return command_at(rope, time).value; }
+  // Torque of a motor by its limit.
+  double load(std::size_t rope) const;
   const std::vector<double>& tensions() const { return tensions_; }  // N, at the beginning of the last step
 
  private:

@@ -30,6 +30,9 @@ class WrenchBox {
   Wrench step(double dt);
 
   double propellant() const { return propellant_; }  // kg consumed so far
+  // Largest part of the limit of a component in the last command; more than 1: it was cut. 0 without limits.
+  double force_load() const { return force_load_; }
+  double torque_load() const { return torque_load_; }
   void visit_state(const NumberVisitor& visit);
 
  private:
@@ -38,6 +41,7 @@ class WrenchBox {
   Wrench commanded_;       // within the limits
   Wrench exerted_;         // at the end of the last step
   double propellant_ = 0;  // kg
+  double force_load_ = 0, torque_load_ = 0;
 };
 
 }  // namespace netpocket

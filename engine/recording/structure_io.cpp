@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
+#include <sstream>
 #include <utility>
 
 #include "engine/bodies/triangle_mesh.h"
@@ -166,6 +168,49 @@ void write_node_groups(hid_t group, const std::vector<NodeGroup>& groups, ChunkC
   write_array(group, {"node_group_nodes", "", "nodes of all groups, one after the other"}, nodes, codec);
 }
 
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : " ") + name;
+  return text;
+}
+
+std::vector<std::string> split(const std::string& text) {
+  std::istringstream words(text);
+  return {std::istream_iterator<std::string>(words), {}};
+}
+
+// Texts of the loops, with their datasets.
+struct LoopText {
+  const char* dataset;
+  const char* help;
+  std::string ControlLoopInfo::*text;
+};
+
+constexpr LoopText kLoopTexts[] = {
+    {"loop_names", "of each control loop", &ControlLoopInfo::name},
+    {"loop_acts_on", "what each loop acts on", &ControlLoopInfo::acts_on},
+    {"loop_quantity", "what each loop controls", &ControlLoopInfo::quantity},
+    {"loop_table", "table of the scenario with each loop's parameters", &ControlLoopInfo::table}};
+
+std::string loop_dataset(const LoopQuantity& quantity) { return std::string("loop_") + quantity.name; }
+
+void write_loops(hid_t group, const std::vector<ControlLoopInfo>& loops, ChunkCodec& codec) {
+  if (loops.empty()) return;
+  const auto column = [&](const auto& text_of) {
+    std::vector<std::string> texts;
+    for (const ControlLoopInfo& loop : loops) texts.push_back(text_of(loop));
+    return texts;
+  };
+  for (const LoopText& text : kLoopTexts) {
+    write_texts(group, {text.dataset, "", text.help}, column([&](const auto& loop) { return loop.*text.text; }), codec);
+  }
+  for (const LoopQuantity& quantity : kLoopQuantities) {
+    const std::string name = loop_dataset(quantity), help = std::string("channels of each loop: ") + quantity.words;
+    write_texts(group, {name.c_str(), "", help.c_str()},
+                column([&](const auto& loop) { return joined(loop.*quantity.channels); }), codec);
+  }
+}
+
 std::string at(const char* name) { return std::string(kStructureGroup) + "/" + name; }
 
 template <typename T>
@@ -269,6 +314,26 @@ std::vector<MeshPointer> read_meshes(const InputFile& file) {
   return meshes;
 }
 
+// Recordings from before loops were recorded have none.
+std::vector<ControlLoopInfo> read_loops(const InputFile& file) {
+  if (!file.has(at("loop_names"))) return {};
+  std::vector<ControlLoopInfo> loops(read_texts(file, at("loop_names")).size());
+  const auto column = [&](const char* name) {
+    auto texts = read_texts(file, at(name));
+    if (texts.size() != loops.size()) throw Hdf5Error(at(name) + " has the wrong length");
+    return texts;
+  };
+  for (const LoopText& text : kLoopTexts) {
+    const auto texts = column(text.dataset);
+    for (std::size_t i = 0; i < loops.size(); ++i) loops[i].*text.text = texts[i];
+  }
+  for (const LoopQuantity& quantity : kLoopQuantities) {
+    const auto texts = column(loop_dataset(quantity).c_str());
+    for (std::size_t i = 0; i < loops.size(); ++i) loops[i].*quantity.channels = split(texts[i]);
+  }
+  return loops;
+}
+
 std::vector<StructureBody> read_bodies(const InputFile& file) {
   const auto names = read_texts(file, at("body_names"));
   const std::size_t count = names.size();
@@ -355,6 +420,7 @@ void write_structure(hid_t file, const Structure& structure, ChunkCodec& codec) 
   write_texts(group.get(), {"thread_names", "", "names of rods, cords and ropes"}, structure.threads, codec);
   write_element_groups(group.get(), structure.element_groups, codec);
   write_node_groups(group.get(), structure.node_groups, codec);
+  write_loops(group.get(), structure.loops, codec);
 }
 
 Structure read_structure(const InputFile& file, std::int32_t version) {
@@ -367,6 +433,7 @@ Structure read_structure(const InputFile& file, std::int32_t version) {
   structure.node_groups = read_node_groups(file, version);
   structure.threads = read_texts(file, at("thread_names"));
   structure.bodies = read_bodies(file);
+  structure.loops = read_loops(file);
   const std::string fault = find_fault(structure);
   if (!fault.empty()) throw Hdf5Error(fault);
   return structure;

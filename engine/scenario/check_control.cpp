@@ -63,6 +63,7 @@ class ControlChecker {
     check_winch();
     check_deflation();
     check_target();
+    check_disturbances();
   }
 
  private:
@@ -123,6 +124,7 @@ class ControlChecker {
         break;
       case ControlPhase::always:
       case ControlPhase::closing:
+      case ControlPhase::off:
         break;
     }
     return std::nullopt;
@@ -138,7 +140,7 @@ class ControlChecker {
       const std::string key = key_of("controller", i, "kind");
       if (s_.towing.mode != TowingMode::controlled) add(key, "\"tow\" needs towing.mode = \"controlled\"");
       const ControlPhase phase = s_.controllers[i].phase;
-      if (phase != ControlPhase::always && phase != ControlPhase::towing)
+      if (phase != ControlPhase::always && phase != ControlPhase::towing && phase != ControlPhase::off)
         add(key_of("controller", i, "phase"), "a controller of the kind \"tow\" acts in the phase \"towing\" only");
     }
   }
@@ -195,6 +197,14 @@ class ControlChecker {
       add("target.acts_until",
           fmt::format("must be later than target.acts_from = {:g} s, or thrust and torque never act",
                       target.acts_from));
+    }
+  }
+
+  void check_disturbances() {
+    for (std::size_t i = 0; i < s_.disturbances.size(); ++i) {
+      const DisturbanceParameters& disturbance = s_.disturbances[i];
+      if (disturbance.force == Eigen::Vector3d::Zero() && disturbance.torque == Eigen::Vector3d::Zero())
+        add(key_of("disturbance", i, "force"), "a disturbance needs a force or a torque");
     }
   }
 

@@ -16,14 +16,14 @@ enum class ControllerKind {
   tow,
   spin_damping
 };
-enum class ControlPhase { always, open, closing, closed, towing };
+enum class ControlPhase { always, open, closing, closed, towing, off };
 enum class ControlledAxes { all, lateral, axial };
 enum class TowQuantity { speed, separation };
 
 // A controller of the spacecraft. Each kind uses some of the members.
 struct ControllerParameters {
   ControllerKind kind = ControllerKind::attitude_pd;
-  ControlPhase phase = ControlPhase::always;  // in which it acts
+  ControlPhase phase = ControlPhase::always;  // in which it acts; off: it never acts
   double rate = 100;                          // Hz, of its samples
   // Set points of attitude and position.
   Eigen::Vector3d attitude = {0, 0, 0};       // rad, rotation vector from world to body axes
@@ -147,6 +147,19 @@ struct WinchParameters {
   std::vector<Eigen::Vector2d> jammed;  // (rope, s at which its retractor jams)
 
   friend bool operator==(const WinchParameters&, const WinchParameters&) = default;
+};
+
+enum class DisturbedBody { spacecraft, target };
+
+// A force and a torque that act on a body for a while. The axes are those of the body.
+struct DisturbanceParameters {
+  DisturbedBody body = DisturbedBody::spacecraft;
+  Eigen::Vector3d force = {0, 0, 0};   // N, through the centre of mass
+  Eigen::Vector3d torque = {0, 0, 0};  // N m
+  double start = 0;                    // s
+  double duration = 1;                 // s
+
+  friend bool operator==(const DisturbanceParameters&, const DisturbanceParameters&) = default;
 };
 
 }  // namespace netpocket

@@ -15,7 +15,7 @@ constexpr std::array kNames<ControllerKind> = {"attitude_pd"sv, "attitude_slidin
                                                "position_pd"sv, "position_sliding_mode"sv, "tow"sv,
                                                "spin_damping"sv};
 template <>
-constexpr std::array kNames<ControlPhase> = {"always"sv, "open"sv, "closing"sv, "closed"sv, "towing"sv};
+constexpr std::array kNames<ControlPhase> = {"always"sv, "open"sv, "closing"sv, "closed"sv, "towing"sv, "off"sv};
 template <>
 constexpr std::array kNames<ControlledAxes> = {"all"sv, "lateral"sv, "axial"sv};
 template <>
@@ -30,6 +30,8 @@ template <>
 constexpr std::array kNames<DeflationStart> = {"never"sv, "time"sv, "closing"sv, "closed"sv};
 template <>
 constexpr std::array kNames<WinchDrive> = {"prescribed"sv, "length"sv, "rate"sv, "tension"sv, "torque"sv};
+template <>
+constexpr std::array kNames<DisturbedBody> = {"spacecraft"sv, "target"sv};
 
 }  // namespace parameter_rows
 
@@ -45,11 +47,13 @@ using Thruster = ThrusterParameters;
 using Wheel = WheelParameters;
 using Winch = WinchParameters;
 using Deflated = DeflationParameters;
+using Disturbance = DisturbanceParameters;
 
 constexpr auto kControllers = &S::controllers;
 constexpr auto kSensors = &S::sensors;
 constexpr auto kThrusters = &S::thrusters;
 constexpr auto kWheels = &S::wheels;
+constexpr auto kDisturbances = &S::disturbances;
 constexpr auto kActuators = &S::actuators;
 constexpr auto kWinch = &S::winch;
 constexpr auto kDeflation = &S::deflation;
@@ -96,7 +100,7 @@ constexpr std::array kControlParameters = {
 
 constexpr std::array kControllerRows = {
     item_parameter<kControllers, &Controller::kind>("controller.kind", kNone, "", "what it controls, and how; of the spacecraft", kChoice),
-    item_parameter<kControllers, &Controller::phase>("controller.phase", kNone, "", "phase of the capture in which it acts", kChoice),
+    item_parameter<kControllers, &Controller::phase>("controller.phase", kNone, "", "phase of the capture in which it acts; off: never", kChoice),
     item_parameter<kControllers, &Controller::rate>("controller.rate", above(0, 1e4), "Hz", "rate of its samples; its demand is held in between", kAssumption),
     item_parameter<kControllers, &Controller::attitude>("controller.attitude", within(-10, 10), "rad", "attitude: wanted rotation vector from world to body axes", kChoice),
     item_parameter<kControllers, &Controller::position>("controller.position", within(-1e4, 1e4), "m", "position: wanted place of the centre of mass, from its place at the start", kChoice),
@@ -145,6 +149,14 @@ constexpr std::array kWheelRows = {
     item_parameter<kWheels, &Wheel::most_torque>("actuators.wheel.most_torque", above(0, 1e6), "N m", "largest torque", kAssumption),
     item_parameter<kWheels, &Wheel::most_momentum>("actuators.wheel.most_momentum", above(0, 1e6), "N m s", "largest momentum relative to the spacecraft", kAssumption),
 };
+
+constexpr std::array kDisturbanceRows = {
+    item_parameter<kDisturbances, &Disturbance::body>("disturbance.body", kNone, "", "body on which it acts", kChoice),
+    item_parameter<kDisturbances, &Disturbance::force>("disturbance.force", within(-1e7, 1e7), "N", "force through the body's centre of mass, body axes", kChoice),
+    item_parameter<kDisturbances, &Disturbance::torque>("disturbance.torque", within(-1e7, 1e7), "N m", "torque, body axes", kChoice),
+    item_parameter<kDisturbances, &Disturbance::start>("disturbance.start", within(0, 1e5), "s", "time at which it begins", kChoice),
+    item_parameter<kDisturbances, &Disturbance::duration>("disturbance.duration", above(0, 1e5), "s", "how long it acts", kChoice),
+};
 // clang-format on
 
 template <auto List>
@@ -166,6 +178,9 @@ constexpr std::array kControlLists = {
                    "What controllers know of a quantity. A quantity without a sensor is known exactly.", kSensorRows),
     list<kThrusters>("actuators.thruster", "Thrusters", "Thrusters of the spacecraft.", kThrusterRows),
     list<kWheels>("actuators.wheel", "Reaction wheels", "Reaction wheels of the spacecraft.", kWheelRows),
+    list<kDisturbances>("disturbance", "Disturbances",
+                        "Forces and torques that act on a body for a while, to see how controllers answer.",
+                        kDisturbanceRows),
 };
 
 }  // namespace

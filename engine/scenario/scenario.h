@@ -184,6 +184,7 @@ struct Scenario {
   std::vector<SensorParameters> sensors;
   std::vector<ThrusterParameters> thrusters;
   std::vector<WheelParameters> wheels;
+  std::vector<DisturbanceParameters> disturbances;
   // Parameters that only another kind of system has, by key. Those left out have their defaults.
   std::map<std::string, ParameterValue, std::less<>> own;
   FileScope files;

@@ -11,6 +11,7 @@ bool is_of_strategy(std::string_view key) {
   const std::string_view name = key.substr(key.rfind('.') + 1);
   const auto is_one_of = [name](auto... names) { return ((name == names) || ...); };
   if (key.starts_with("controller.")) return !is_one_of("kind", "phase", "rate", "quantity", "observer", "axes");
+  if (key == "disturbance" || key.starts_with("disturbance.")) return true;
   if (key.starts_with("winch.")) return !is_one_of("drive", "drum_radius", "drum_inertia", "late");
   return key == "target.thrust" || key == "target.torque" || key.starts_with("target.acts_");
 }

@@ -176,7 +176,7 @@ const SystemParameters& pocket_parameters() {
       .help = "Inflatable rods hold a net open; ropes between their tips close its mouth round the target.",
       .shared_groups = {"pocket", "net", "rope", "rods", "spacecraft", "target", "contact", "closing", "towing",
                         "winch", "deflation", "actuators"},
-      .shared_lists = {"controller", "sensor", "actuators.thruster", "actuators.wheel"},
+      .shared_lists = {"controller", "sensor", "actuators.thruster", "actuators.wheel", "disturbance"},
       .check = check_pocket,
       .acts_at_once = acts_at_once_in_pocket};
   return kPocket;

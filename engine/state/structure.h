@@ -10,6 +10,7 @@
 
 #include "engine/bodies/shape.h"
 #include "engine/state/channels.h"
+#include "engine/state/control_loop_info.h"
 
 namespace netpocket {
 
@@ -77,6 +78,7 @@ struct Structure {
   std::vector<StructureBody> bodies;
   std::int32_t rope_count = 0;                                     // variable-length ropes
   std::shared_ptr<const ChannelList> channels = known_channels();  // those of every snapshot
+  std::vector<ControlLoopInfo> loops;                              // of control
 
   const ElementGroup& group_of(const StructureElement& element) const {
     return element_groups[static_cast<std::size_t>(element.group)];

@@ -14,6 +14,8 @@
 #include <algorithm>
 
 #include "engine/base/file_kind.h"
+#include "gui/workbench/control/control_actions.h"
+#include "gui/workbench/control/control_panel.h"
 #include "gui/workbench/dialogs/preferences_dialog.h"
 #include "gui/workbench/editor/edit_command.h"
 #include "gui/workbench/editor/scenario_editor.h"
@@ -183,6 +185,10 @@ void MainWindow::connect_panels() {
     const bool shown = run != nullptr && run->structure && viewport_->state().structure == run->structure;
     if (shown) viewport_->set_history(history_.of(*run, options));
   });
+  connect(control_actions_, &ControlActions::problem, this, &MainWindow::show_notice);
+  connect(control_actions_, &ControlActions::comparison_begun, this, &MainWindow::show_comparison);
+  connect(control_, &ControlPanel::loops_appeared, this, &MainWindow::offer_control);
+  connect(control_, &ControlPanel::loop_chosen, plots_, &PlotsPanel::set_loop);
   connect(run_files_, &RunFileActions::problem, this, &MainWindow::show_notice);
   connect(run_files_, &RunFileActions::file_used, file_actions_, &FileActions::note_recent);
   connect(run_files_, &RunFileActions::close_window, this, &QWidget::close);
@@ -269,14 +275,19 @@ void MainWindow::show_preview(const PocketPreview& preview) {
   // Nor does one of before the start, that came late, take the place of what the run has come to.
   const Run* run = session_->current();
   const bool shown = run != nullptr && viewport_->state().structure == run->structure;
-  if (shown && !view_actions_->move_action()->isChecked() &&
-      differing_keys(run->scenario, document_->scenario()).isEmpty()) {
-    return;
+  if (shown && !view_actions_->move_action()->isChecked()) {
+    Scenario edited = document_->scenario();
+    edited.disturbances = run->scenario.disturbances;  // a run has those of its clicks, too
+    if (differing_keys(run->scenario, edited).isEmpty()) return;
   }
   view_actions_->set_phases({});
   if (session_->current()) viewport_->set_hint(tr("Edited scenario, not simulated yet"));
   viewport_->set_history(nullptr);
   viewport_->set_pocket(preview.structure, preview.snapshot);
+  // What the run does stays in sight as long as its loops are those of the scenario.
+  if (run == nullptr || !run->structure || run->structure->loops != preview.structure->loops) {
+    control_->show_frame(preview.structure, nullptr);
+  }
   if (second_view_) second_view_->refresh();
 }
 
@@ -291,6 +302,7 @@ void MainWindow::show_frame(const std::shared_ptr<const Snapshot>& snapshot) {
   viewport_->set_history(history_.of(*run, view_actions_->options()));
   if (second_view_) second_view_->refresh();
   plots_->set_time(snapshot->time);
+  control_->show_frame(run->structure, snapshot);
   status_->show_run(run, session_->shown_index());
 }
 
@@ -316,6 +328,20 @@ void MainWindow::show_second_view(bool shown) {
   if (shown) views_->setSizes({1, 1});
 }
 
+// Behind the scenario, which stays in front.
+void MainWindow::offer_control() {
+  auto *scenario = findChild<QDockWidget*>("scenario"), *control = findChild<QDockWidget*>("control");
+  if (control->isVisible()) return;
+  control->show();
+  if (scenario->isVisible()) scenario->raise();
+}
+
+void MainWindow::show_comparison(RunId with_loop) {
+  runs_panel_->compare_with(with_loop);
+  update_plots();
+  plots_->show_figure("control_loops");
+}
+
 void MainWindow::plot_pick(RunId id, const Pick& pick) {
   if (!picked_plot_->plot(id, pick)) show_notice(tr("There is no run yet whose frames could be plotted."));
 }
@@ -324,6 +350,7 @@ void MainWindow::run_changed() {
   const Run* run = session_->current();
   status_->show_run(run, session_->shown_index());
   editor_->set_running(session_->live() ? &session_->live()->scenario : nullptr);
+  control_->set_running(session_->live() ? &session_->live()->scenario : nullptr);
   findings_updater_->request();
   if (run == nullptr) plots_->set_time(std::nullopt);
 }

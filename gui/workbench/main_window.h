@@ -18,6 +18,8 @@ class QSplitter;
 
 namespace netpocket {
 
+class ControlActions;
+class ControlPanel;
 class ExportTray;
 class FileActions;
 class FindingsPanel;
@@ -62,6 +64,8 @@ class MainWindow : public QMainWindow {
   ScenarioEditor& editor() { return *editor_; }
   PlotsPanel& plots() { return *plots_; }
   FindingsPanel& findings() { return *findings_; }
+  ControlPanel& control() { return *control_; }
+  ControlActions& control_actions() { return *control_actions_; }
   RunActions& run_actions() { return *run_actions_; }
   FileActions& file_actions() { return *file_actions_; }
   RunFileActions& run_files() { return *run_files_; }
@@ -109,6 +113,8 @@ class MainWindow : public QMainWindow {
   std::size_t plotted(RunId id) const;
   void plot_pick(RunId id, const Pick& pick);
   void show_second_view(bool shown);
+  void show_comparison(RunId with_loop);
+  void offer_control();
   void set_moving(bool moving);
   void ask_for_preferences();
   void strategy_answered(RunId id, const Diagnostics& refused, double time);
@@ -127,6 +133,8 @@ class MainWindow : public QMainWindow {
   ScenarioEditor* editor_ = nullptr;
   PlotsPanel* plots_ = nullptr;
   FindingsPanel* findings_ = nullptr;
+  ControlPanel* control_ = nullptr;
+  ControlActions* control_actions_ = nullptr;
   PickedPlot* picked_plot_ = nullptr;
   RunsPanel* runs_panel_ = nullptr;
   RunStatusBar* status_ = nullptr;

@@ -161,6 +161,10 @@ std::vector<RunId> RunsPanel::compared() const {
   return ids;
 }
 
+void RunsPanel::compare_with(RunId id) {
+  if (auto* item = item_of(id)) item->setCheckState(kName, Qt::Checked);
+}
+
 void RunsPanel::show_menu(const QPoint& position) {
   auto* item = list_->itemAt(position);
   if (item == nullptr) return;

@@ -17,6 +17,8 @@ class RunsPanel : public QWidget {
 
   // The shown run first, then those checked for comparison.
   std::vector<RunId> compared() const;
+  // Ticks a run.
+  void compare_with(RunId id);
   QTreeWidget* list() const { return list_; }
 
  signals:

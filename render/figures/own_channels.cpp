@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "render/figures/control_loops.h"
 #include "render/figures/phase_bands.h"
 #include "render/figures/rich_text.h"
 
@@ -35,10 +36,12 @@ bool belong_together(const ChannelInfo& a, const ChannelInfo& b) {
   return a.unit == b.unit && a.meaning == b.meaning && stem_of(a.name) == stem_of(b.name);
 }
 
-std::vector<Group> groups_of(const ChannelList& channels) {
+// Those of control loops have a figure of their own.
+std::vector<Group> groups_of(const RunSeries& run) {
   std::vector<Group> groups;
-  for (const ChannelInfo& channel : channels) {
-    if (!is_own(channel)) continue;
+  const std::set<std::string> of_loops = loop_channels(run);
+  for (const ChannelInfo& channel : *run.channel_list) {
+    if (!is_own(channel) || of_loops.contains(channel.name)) continue;
     if (groups.empty() || !belong_together(groups.back().back(), channel)) groups.emplace_back();
     groups.back().push_back(channel);
   }
@@ -96,7 +99,7 @@ Figure own_channels_figure(const std::vector<RunSeries>& runs) {
   figure.title = runs.size() == 1 && !runs.front().name.empty()
                      ? fmt::format("Channels of the system: {}", plain_text(runs.front().name))
                      : "Channels of the system";
-  for (const Group& group : groups_of(*runs.front().channel_list)) figure.panels.push_back(panel_of(group, runs));
+  for (const Group& group : groups_of(runs.front())) figure.panels.push_back(panel_of(group, runs));
   if (figure.panels.empty()) figure.panels.emplace_back();  // says that there is no data
   const std::size_t columns = std::min(kColumns, figure.panels.size());
   figure.columns = static_cast<int>(columns);

@@ -10,6 +10,7 @@
 
 #include "engine/analysis/summary.h"
 #include "render/figures/axis_ticks.h"
+#include "render/figures/control_loops.h"
 #include "render/figures/own_channels.h"
 #include "render/figures/phase_bands.h"
 #include "render/figures/rich_text.h"
@@ -339,10 +340,11 @@ Figure tension_figure(const Runs& runs) {
 struct NamedFigure {
   const char* name;
   Figure (*make)(const Runs&);
-  std::optional<Channel> needed;  // absent: a channel of the system's own
+  std::optional<Channel> needed;  // absent: as `suits` says
+  bool (*suits)(const RunSeries&) = nullptr;
 };
 
-constexpr std::array<NamedFigure, 9> kFigures = {
+constexpr std::array<NamedFigure, 10> kFigures = {
     {{"figure03_closing", closing_figure, Channel::closing_length},
      {"figure05_force", force_figure, Channel::contact_fy},
      {"figure06_position", position_figure, Channel::target_y},
@@ -351,10 +353,11 @@ constexpr std::array<NamedFigure, 9> kFigures = {
      {"figure11_spacecraft_position", spacecraft_figure, Channel::spacecraft_y},
      {"energy", energy_figure, Channel::energy_kinetic},
      {"tension", tension_figure, Channel::rope_tension_max},
-     {"own_channels", own_channels_figure, std::nullopt}}};
+     {"control_loops", control_loops_figure, std::nullopt, has_control_loops},
+     {"own_channels", own_channels_figure, std::nullopt, has_own_channels}}};
 
 bool suits(const NamedFigure& figure, const RunSeries& run) {
-  return figure.needed ? run.channel_list->has(*figure.needed) : has_own_channels(run);
+  return figure.needed ? run.channel_list->has(*figure.needed) : figure.suits(run);
 }
 
 // How much two names have in common: letters in the same order (longest common subsequence) over their mean length. A

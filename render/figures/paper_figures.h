@@ -21,6 +21,7 @@ namespace netpocket {
 //   figure11_spacecraft_position  the same for the spacecraft
 //   energy                        energy balance and its error
 //   tension                       largest net tension and closing rope tension
+//   control_loops                 control loops of the run (control_loops.h)
 //   own_channels                  channels that only this kind of capture system has (own_channels.h)
 const std::vector<std::string>& figure_names();
 

@@ -27,6 +27,7 @@ RunSeries run_series(const Recording& recording) {
   series.channels.clear();
   for (std::size_t i = 0; i < series.channel_list->size(); ++i) series.channels.push_back(recording.channel(i));
   series.phases = recording.origin().phases;
+  series.loops = recording.structure().loops;
   return series;
 }
 

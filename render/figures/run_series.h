@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/state/channels.h"
+#include "engine/state/control_loop_info.h"
 #include "engine/state/phase.h"
 
 namespace netpocket {
@@ -18,6 +19,7 @@ struct RunSeries {
   std::vector<std::vector<double>> channels =
       std::vector<std::vector<double>>(channel_list->size());  // by channel_list
   std::vector<Phase> phases;
+  std::vector<ControlLoopInfo> loops;
 
   // By frame; empty where the run has no such channel.
   const std::vector<double>& channel(Channel c) const;

@@ -5,11 +5,13 @@
 
 #include "engine/control/closed_loop.h"
 #include "engine/control/closing_control.h"
+#include "engine/control/disturbances.h"
 #include "engine/control/target_drive.h"
 #include "engine/control/towing.h"
 #include "engine/control/winch_control.h"
 #include "engine/scenario/pocket_outline.h"
 #include "engine/systems/pocket/control_channels.h"
+#include "engine/systems/pocket/loop_channels.h"
 #include "engine/systems/pocket/material_changes.h"
 #include "engine/systems/pocket/pocket.h"
 #include "engine/systems/pocket/pocket_channels.h"
@@ -45,16 +47,20 @@ Kind* add_controller(CaptureSystem& system, Arguments&&... arguments) {
 }
 
 // The channels of a pocket, and those of its control.
-void add_channels(CaptureSystem& system, const PocketChannels& channels, const ControlChannels& control) {
-  if (control.infos().empty()) {
+void add_channels(CaptureSystem& system, const PocketChannels& channels, const ControlChannels& control,
+                  const LoopChannels& loops) {
+  if (control.infos().empty() && loops.infos().empty()) {
     system.fill_channels = [channels](const CableSystem& cables, Snapshot& out) { channels.fill(cables, out); };
     return;
   }
   std::vector<ChannelInfo> infos(known_channels()->begin(), known_channels()->end());
+  infos.insert(infos.end(), loops.infos().begin(), loops.infos().end());
   infos.insert(infos.end(), control.infos().begin(), control.infos().end());
   system.structure.channels = std::make_shared<const ChannelList>(std::move(infos));
-  system.fill_channels = [channels, control](const CableSystem& cables, Snapshot& out) {
+  system.structure.loops = loops.loops();
+  system.fill_channels = [channels, control, loops](const CableSystem& cables, Snapshot& out) {
     channels.fill(cables, out);
+    loops.fill(out);
     control.fill(out);
   };
 }
@@ -78,6 +84,7 @@ CaptureSystem build(const Scenario& scenario) {
     winches = add_controller<WinchControl>(system, scenario, open_lengths, times);
   }
   add_controller<TargetDrive>(system, scenario.target, pocket.target);
+  auto* disturbances = add_controller<Disturbances>(system, scenario.disturbances, pocket.spacecraft, pocket.target);
   ClosedLoop* loop = nullptr;
   if (!scenario.controllers.empty()) {
     loop = add_controller<ClosedLoop>(system, scenario, controlled_craft(scenario, pocket.model), times,
@@ -90,7 +97,8 @@ CaptureSystem build(const Scenario& scenario) {
   const auto events = has_events(scenario) ? times : nullptr;
   const Deflation* deflation =
       scenario.deflation.starts_at == DeflationStart::never ? nullptr : &materials->deflation();
-  add_channels(system, channels, ControlChannels(loop, winches, deflation, events, pocket.spacecraft));
+  add_channels(system, channels, ControlChannels(loop, winches, deflation, events, pocket.spacecraft),
+               LoopChannels(scenario, loop, winches, disturbances, pocket.spacecraft, pocket.target));
   system.model = std::move(pocket.model);
   return system;
 }

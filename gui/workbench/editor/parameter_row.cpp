@@ -20,7 +20,11 @@ constexpr int kNarrowField = 64;
 constexpr int kRoomForThree = 500;  // pixels that a row needs for three numbers beside its label
 
 const Scenario& default_scenario() {
-  static const Scenario scenario;
+  static const Scenario scenario = [] {
+    Scenario with_items;  // lists have all items that there can be
+    for (const ParameterList& list : parameter_lists()) list.resize(with_items, kMostItems);
+    return with_items;
+  }();
   return scenario;
 }
 
@@ -62,7 +66,7 @@ ParameterRow::ParameterRow(const Parameter& parameter, QWidget* parent, std::str
 
   QStringList searched = {label(parameter),           from_utf8(parameter.key),
                           from_utf8(parameter.help),  from_utf8(parameter.source),
-                          unit_words(parameter.unit), title(*find_parameter_group(parameter.group(), system))};
+                          unit_words(parameter.unit), table_title(parameter, system)};
   for (const std::string_view choice : parameter.choices) searched << from_utf8(choice);
   search_text_ = searched.join('\n').toLower();
 
@@ -121,16 +125,21 @@ void ParameterRow::resizeEvent(QResizeEvent* event) {
   place_field();
 }
 
+// The rows that it is to align with.
+std::span<const Parameter> ParameterRow::siblings() const {
+  const ParameterList* list = list_of(parameter_, system_);
+  return list != nullptr ? parameters_of(*list, parameter_.item) : parameters(system_);
+}
+
 int ParameterRow::label_width(const QFontMetrics& metrics) const {
   int widest = 0;
-  for (const Parameter& parameter : parameters(system_))
-    widest = std::max(widest, bold_width(metrics, label(parameter)));
+  for (const Parameter& parameter : siblings()) widest = std::max(widest, bold_width(metrics, label(parameter)));
   return widest;
 }
 
 int ParameterRow::unit_width(const QFontMetrics& metrics) const {
   int widest = 0;
-  for (const Parameter& parameter : parameters(system_)) {
+  for (const Parameter& parameter : siblings()) {
     widest = std::max(widest, metrics.horizontalAdvance(unit_of(parameter, default_scenario())));
   }
   return widest + 2;

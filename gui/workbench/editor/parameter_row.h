@@ -3,6 +3,7 @@
 
 #include <QWidget>
 #include <optional>
+#include <span>
 
 #include "engine/scenario/parameters.h"
 #include "gui/workbench/editor/parameter_words.h"
@@ -57,6 +58,7 @@ class ParameterRow : public QWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  std::span<const Parameter> siblings() const;
   void lay_out();
   void place_field();
   void show_label();

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QStringList>
 #include <algorithm>
+#include <cctype>
 #include <initializer_list>
 
 #include "engine/scenario/parameter_text.h"
@@ -53,6 +54,52 @@ QString why_solver_unused(std::string_view name, const SolverParameters& solver)
   return {};
 }
 
+// Kinds of controllers by what they use beyond rate and phase.
+QString why_controller_unused(std::string_view name, const ControllerParameters& controller) {
+  using enum ControllerKind;
+  const auto used_by = [&](std::initializer_list<std::string_view> names, std::initializer_list<ControllerKind> kinds) {
+    return std::ranges::find(names, name) == names.end() || std::ranges::find(kinds, controller.kind) != kinds.end();
+  };
+  const bool used =
+      used_by({"attitude"}, {attitude_pd, attitude_sliding_mode, attitude_double_loop}) &&
+      used_by({"position", "velocity", "axes"}, {position_pd, position_sliding_mode}) &&
+      used_by({"frequency", "damping_ratio"}, {attitude_pd, position_pd}) &&
+      used_by({"slope", "reaching", "switching", "layer", "observer"},
+              {attitude_sliding_mode, attitude_double_loop, position_sliding_mode}) &&
+      used_by({"feed_forward"}, {attitude_sliding_mode, position_sliding_mode}) &&
+      used_by({"outer_switching", "outer_layer", "fastest"}, {attitude_double_loop}) &&
+      used_by({"quantity", "wanted", "ramp", "proportional", "integral", "derivative", "most_tension"}, {tow}) &&
+      used_by({"damping", "most_torque"}, {spin_damping});
+  if (!used) return tr("Not used by this kind of controller.");
+  const bool speed = controller.quantity == TowQuantity::speed;
+  return unused_unless(name != "derivative" || !speed, tr("Used for the separation."));
+}
+
+QString why_winch_unused(std::string_view name, WinchDrive drive) {
+  using enum WinchDrive;
+  if (name == "drive") return {};
+  if (drive == prescribed) return tr("Not used by the drive “prescribed”.");
+  const auto used_by = [&](std::initializer_list<std::string_view> names, std::initializer_list<WinchDrive> drives) {
+    return std::ranges::find(names, name) == names.end() || std::ranges::find(drives, drive) != drives.end();
+  };
+  const bool used = used_by({"rate"}, {rate}) && used_by({"torque"}, {torque}) && used_by({"length_gain"}, {length}) &&
+                    used_by({"tension", "tension_gain", "tension_derivative", "take_up_rate"}, {tension}) &&
+                    used_by({"fastest", "rate_gain", "rate_integral"}, {length, rate, tension});
+  return unused_unless(used, tr("Not used by this drive."));
+}
+
+// The unit that a controller's kind chooses from "rad/s, m/s" or from "m/s or m by quantity".
+std::string_view controller_unit(std::string_view unit, const ControllerParameters& controller) {
+  const bool first = controller.kind == ControllerKind::tow ? controller.quantity == TowQuantity::speed
+                                                            : controller.kind != ControllerKind::position_sliding_mode;
+  if (const auto words = unit.find(" by "); words != unit.npos) unit = unit.substr(0, words);
+  for (const std::string_view separator : {", ", " or "}) {
+    const auto place = unit.find(separator);
+    if (place != unit.npos) return first ? unit.substr(0, place) : unit.substr(place + separator.size());
+  }
+  return unit;
+}
+
 }  // namespace
 
 QString from_utf8(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())); }
@@ -66,8 +113,23 @@ QString label(const Parameter& parameter) {
 
 QString title(const ParameterGroup& group) { return translated(from_utf8(group.title)); }
 
-QString full_label(const Parameter& parameter) {
-  return title(*find_parameter_group(parameter.group())) + ": " + label(parameter).toLower();
+QString full_label(const Parameter& parameter) { return table_title(parameter) + ": " + label(parameter).toLower(); }
+
+const ParameterList* list_of(const Parameter& parameter, std::string_view system) {
+  for (const ParameterList& list : parameter_lists(system)) {
+    const std::string_view key = parameter.key;
+    const bool begins = key.size() > list.name.size() + 1 && key.starts_with(list.name) && key[list.name.size()] == '.';
+    const auto digit = static_cast<unsigned char>(begins ? key[list.name.size() + 1] : ' ');
+    if (begins && std::isdigit(digit) != 0) return &list;
+  }
+  return nullptr;
+}
+
+QString table_title(const Parameter& parameter, std::string_view system) {
+  const ParameterList* list = list_of(parameter, system);
+  if (list != nullptr) return translated(from_utf8(list->title)) + " " + QString::number(parameter.item + 1);
+  const ParameterGroup* group = find_parameter_group(parameter.group(), system);
+  return group != nullptr ? title(*group) : QString();
 }
 
 QString unit_words(std::string_view unit) {
@@ -78,6 +140,9 @@ QString unit_words(std::string_view unit) {
 
 QString unit_of(const Parameter& parameter, const Scenario& scenario) {
   if (parameter.type == ParameterType::pairs) return {};
+  if (parameter.key.starts_with("controller.") && parameter.item < scenario.controllers.size()) {
+    return unit_words(controller_unit(parameter.unit, scenario.controllers[parameter.item]));
+  }
   if (parameter.key != "towing.size") return unit_words(parameter.unit);
   switch (scenario.towing.mode) {
     case TowingMode::force:
@@ -134,6 +199,10 @@ std::optional<QString> why_unused(const Parameter& parameter, const Scenario& sc
   if (parameter.group() == "target") reason = why_target_unused(parameter.name(), scenario.target);
   if (parameter.group() == "closing") reason = why_closing_unused(parameter.name(), scenario.closing);
   if (parameter.group() == "solver") reason = why_solver_unused(parameter.name(), scenario.solver);
+  if (parameter.group() == "winch") reason = why_winch_unused(parameter.name(), scenario.winch.drive);
+  if (parameter.group() == "controller" && parameter.item < scenario.controllers.size()) {
+    reason = why_controller_unused(parameter.name(), scenario.controllers[parameter.item]);
+  }
   if (parameter.group() == "towing" && parameter.name() != "mode" && scenario.towing.mode == TowingMode::none) {
     reason = tr("Used when the mode is not “none”.");
   }

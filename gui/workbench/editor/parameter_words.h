@@ -16,6 +16,10 @@ QString label(const Parameter& parameter);
 // "Net cords: Young's modulus"
 QString full_label(const Parameter& parameter);
 QString title(const ParameterGroup& group);
+// Of the table that a parameter belongs to; of an item of a list with its number: "Controllers 1".
+QString table_title(const Parameter& parameter, std::string_view system = kPocketSystem);
+// The list of a parameter that belongs to an item; else null.
+const ParameterList* list_of(const Parameter& parameter, std::string_view system = kPocketSystem);
 
 // A unit with typographic signs: "kg/m³" for "kg/m^3".
 QString unit_words(std::string_view unit);

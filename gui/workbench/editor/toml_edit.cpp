@@ -92,22 +92,49 @@ bool has_header(std::string_view text, const toml::table& table, std::string_vie
   return header.starts_with("[" + std::string(name) + "]");
 }
 
+// Where a parameter stands: its table, and the path of that from the root. For items of lists the table is that of the
+// item.
+struct Place {
+  toml::node_view<const toml::node> table;
+  bool is_item = false;
+};
+
+Place place_of(const toml::table& file, const Parameter& parameter) {
+  std::string_view path = parameter.key;
+  path = path.substr(0, path.rfind('.'));
+  const auto dot = path.rfind('.');
+  const std::string index = std::to_string(parameter.item);
+  const bool is_item = dot != path.npos && path.substr(dot + 1) == index;
+  if (!is_item) return {file.at_path(path)};
+  return {file.at_path(std::string(path.substr(0, dot)) + "[" + index + "]"), true};
+}
+
+toml::node_view<const toml::node> node_of(const toml::table& file, const Parameter& parameter) {
+  const Place place = place_of(file, parameter);
+  return place.is_item ? place.table[parameter.name()] : file.at_path(parameter.key);
+}
+
 }  // namespace
 
 bool states(std::string_view text, const Parameter& parameter) {
   const auto file = parse(text);
-  return file && file->at_path(parameter.key);
+  return file && node_of(*file, parameter);
 }
 
 std::optional<std::string> with_value(std::string_view text, const Parameter& parameter, const ParameterValue& value) {
   const auto file = parse(text);
   if (!file) return std::nullopt;
   const std::string written = toml_text(parameter, value);
-  if (const auto node = file->at_path(parameter.key)) {
+  if (const auto node = node_of(*file, parameter)) {
     const toml::source_region& region = node.node()->source();
     return replace(text, offset_of(text, region.begin), offset_of(text, region.end), written);
   }
   const std::string line = std::string(parameter.name()) + " = " + written;
+  if (const Place place = place_of(*file, parameter); place.is_item) {
+    const toml::table* item = place.table.as_table();
+    if (item == nullptr || item->is_inline()) return std::nullopt;
+    return insert_line(text, last_line(*item), line);
+  }
   if (parameter.group().empty()) return line + '\n' + std::string(text);
   const toml::table* table = (*file)[parameter.group()].as_table();
   if (table && table->is_inline()) return std::nullopt;

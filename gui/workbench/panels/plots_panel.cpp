@@ -13,6 +13,7 @@
 #include "gui/workbench/panels/figure_image.h"
 #include "gui/workbench/panels/rich_label.h"
 #include "gui/workbench/panels/tones.h"
+#include "render/figures/control_loops.h"
 #include "render/figures/figure_file.h"
 #include "render/figures/own_channels.h"
 #include "render/figures/paper_figures.h"
@@ -22,6 +23,7 @@ namespace {
 
 constexpr int kRedrawInterval = 50;  // ms
 const QString kPicked = QStringLiteral("picked");
+const QString kLoops = QStringLiteral("control_loops");
 
 QColor on_screen(const FigureColour& colour, const QPalette& palette) {
   const QColor plain = QColor::fromRgbF(static_cast<float>(colour.red), static_cast<float>(colour.green),
@@ -110,17 +112,19 @@ void PlotsPanel::add_figures() {
 }
 
 // Figures that no run has channels for are not offered.
-void PlotsPanel::offer_own_channels() {
-  constexpr const char* kOwn = "own_channels";
-  const bool suits = std::ranges::any_of(runs_, has_own_channels);
-  const int index = figures_->findData(kOwn);
-  if (!suits && index >= 0) figures_->removeItem(index);
-  if (suits && index < 0) figures_->addItem(tr("Channels of the system"), kOwn);
+void PlotsPanel::offer_figures() {
+  const auto offer = [this](const QString& name, const QString& words, bool suits) {
+    const int index = figures_->findData(name);
+    if (!suits && index >= 0) figures_->removeItem(index);
+    if (suits && index < 0) figures_->addItem(words, name);
+  };
+  offer(kLoops, tr("Control loops"), std::ranges::any_of(runs_, has_control_loops));
+  offer("own_channels", tr("Channels of the system"), std::ranges::any_of(runs_, has_own_channels));
 }
 
 void PlotsPanel::set_series(std::vector<RunSeries> runs) {
   runs_ = std::move(runs);
-  offer_own_channels();
+  offer_figures();
   request_redraw();
 }
 
@@ -136,7 +140,8 @@ void PlotsPanel::describe(std::size_t run, const RunSeries& series) {
   if (shown.channel_list == series.channel_list && shown.phases == series.phases) return;
   if (shown.channel_list != series.channel_list) {
     shown.begin(series.channel_list);
-    offer_own_channels();
+    shown.loops = series.loops;
+    offer_figures();
   }
   shown.phases = series.phases;
   request_redraw();
@@ -148,6 +153,12 @@ void PlotsPanel::set_picked(std::vector<Panel> panels) {
   if (picked_.empty() && index >= 0) figures_->removeItem(index);
   if (!picked_.empty() && index < 0) figures_->addItem(tr("Picked items"), kPicked);
   request_redraw();
+}
+
+void PlotsPanel::set_loop(const QString& name) {
+  if (name == loop_) return;
+  loop_ = name;
+  if (figure_name() == kLoops) request_redraw();
 }
 
 void PlotsPanel::set_time(std::optional<double> time) {
@@ -186,6 +197,7 @@ Figure PlotsPanel::make_figure() const {
     figure.columns = 2;
     return figure;
   }
+  if (figure_name() == kLoops && !runs_.empty()) return control_loop_figure(runs_, loop_.toStdString());
   return netpocket::make_figure(figure_name().toStdString(), runs_);
 }
 

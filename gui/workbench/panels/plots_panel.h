@@ -35,6 +35,9 @@ class PlotsPanel : public QWidget {
   // Panels of things picked in the view, over time; offered as a figure of its own when there are any.
   void set_picked(std::vector<Panel> panels);
 
+  // The loop that the figure of control loops shows, by its name; empty: all.
+  void set_loop(const QString& name);
+
   // The time of the timeline, s; empty: no cursor.
   void set_time(std::optional<double> time);
 
@@ -59,7 +62,7 @@ class PlotsPanel : public QWidget {
 
  private:
   void add_figures();
-  void offer_own_channels();
+  void offer_figures();
   void request_redraw();
   void redraw();
   Figure make_figure() const;
@@ -68,6 +71,7 @@ class PlotsPanel : public QWidget {
 
   std::vector<RunSeries> runs_;
   std::vector<Panel> picked_;
+  QString loop_;
   QComboBox* figures_;
   QToolButton* reset_;
   QToolButton* export_;

@@ -55,6 +55,10 @@ void CaptureSession::take(const StateChanged& report) {
 
 void CaptureSession::take(const StrategyChanged& report) {
   runs_.set_scenario(report.run, report.scenario);
+  if (report.disturbed && !report.diagnostics.ok()) {
+    emit failed(tr("The run was not disturbed: %1.").arg(QString::fromStdString(report.diagnostics.text())));
+  }
+  if (report.disturbed) return;
   emit strategy_answered(report.run, report.diagnostics, report.time);
 }
 
@@ -130,6 +134,10 @@ void CaptureSession::set_threads(int threads) {
 
 void CaptureSession::change_strategy(const Scenario& scenario) {
   if (live_ != kNoRun) post(ChangeStrategy{scenario});
+}
+
+void CaptureSession::disturb(const DisturbanceParameters& disturbance) {
+  if (live_ != kNoRun) post(Disturb{disturbance});
 }
 
 bool CaptureSession::branch(const Scenario& scenario) {

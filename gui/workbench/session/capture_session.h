@@ -50,6 +50,8 @@ class CaptureSession : public QObject {
   void set_threads(int threads);
   // Closing, towing and friction of the live run from now on.
   void change_strategy(const Scenario& scenario);
+  // Disturbs the live run from its present time on.
+  void disturb(const DisturbanceParameters& disturbance);
   // Continues the shown run from the shown frame as a run of its own; the strategy is the scenario's. False when it was
   // opened from a file and so has no complete state to continue from.
   bool branch(const Scenario& scenario);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/workbench/control/disturbance_words.h"
+
 namespace netpocket {
 namespace {
 
@@ -66,6 +68,9 @@ std::vector<TimeMark> time_marks(const Run& run) {
   if (const auto time = first_contact(run.series)) marks.push_back({Kind::first_contact, *time, tr("First contact")});
   if (const Peak peak = peak_force(run.series); peak.force > 0) {
     marks.push_back({Kind::peak_force, peak.time, tr("Peak contact force, %1 N").arg(peak.force, 0, 'g', 3)});
+  }
+  for (const DisturbanceParameters& disturbance : run.scenario.disturbances) {
+    marks.push_back({Kind::disturbance, disturbance.start, tr("Disturbance: %1").arg(disturbance_words(disturbance))});
   }
   for (const Phase& phase : run.series.phases) {
     if (phase.at_rest) continue;

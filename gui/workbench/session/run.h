@@ -17,7 +17,7 @@ enum class RunState { preparing, running, paused, ended, recorded };
 
 // A moment worth going to.
 struct TimeMark {
-  enum class Kind { first_contact, peak_force, phase_end, phase_start, branch, strategy, own };
+  enum class Kind { first_contact, peak_force, phase_end, phase_start, branch, strategy, disturbance, own };
   Kind kind;
   double time;  // s
   QString label;

@@ -25,6 +25,15 @@ QString other_run_in(const RunLibrary& runs, const QString& path, RunId id) {
   return {};
 }
 
+// Those of the start and those that came during the run: its last change of strategy has all.
+std::vector<DisturbanceParameters> recorded_disturbances(const Recording& recording, const Scenario& at_start) {
+  for (std::size_t i = recording.checkpoint_times().size(); i-- > 0;) {
+    if (!recording.changes_strategy(i)) continue;
+    return read_scenario_text(recording.checkpoint(i).strategy, "scenario of the run").scenario.disturbances;
+  }
+  return at_start.disturbances;
+}
+
 }  // namespace
 
 RunLibrary::RunLibrary(RunOptions origin, std::size_t cache_bytes, const QString& folder)
@@ -157,6 +166,7 @@ void RunLibrary::read_recording(const QString& path, bool recovered) {
   try {
     Recording recording(path.toStdString());
     auto scenario = recorded_scenario(recording).scenario;
+    scenario.disturbances = recorded_disturbances(recording, scenario);
     std::shared_ptr<const Snapshot> first;
     if (recording.frame_count() > 0) first = std::make_shared<const Snapshot>(recording.frame(0));
     const auto opened = std::make_shared<OpenedRecording>(
@@ -235,6 +245,7 @@ void RunLibrary::begin(RunId id, std::shared_ptr<const Structure> structure, con
   run->scenario = scenario;
   const RunOrigin origin = run_origin(scenario, origin_);
   if (run->frame_count() == 0) run->series.begin(run->structure->channels);
+  run->series.loops = run->structure->loops;
   run->series.phases = origin.phases;
   if (run->parent < 0) {
     store([file = run->file, origin, structure = run->structure] { file->begin(origin, *structure); });

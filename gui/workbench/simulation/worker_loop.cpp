@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/scenario/parameters.h"
+
 namespace netpocket {
 namespace {
 
@@ -132,12 +134,36 @@ void WorkerLoop::on(const SetThreads& command) { worker_.threads_ = command.thre
 
 void WorkerLoop::on(const ChangeStrategy& command) {
   if (!simulation_) return;
-  report_checkpoint(&command.scenario);
+  Scenario scenario = command.scenario;
+  scenario.disturbances = simulation_->scenario().disturbances;
+  const Diagnostics refused = change_to(scenario);
+  worker_.report(StrategyChanged{run_, simulation_->time(), simulation_->scenario(), refused});
+}
+
+void WorkerLoop::on(const Disturb& command) {
+  if (!simulation_) return;
   Diagnostics refused;
-  for (const std::string& key : simulation_->change_strategy(command.scenario)) {
+  Scenario scenario = simulation_->scenario();
+  if (scenario.disturbances.size() < kMostItems) {
+    scenario.disturbances.push_back(command.disturbance);
+    scenario.disturbances.back().start = simulation_->time();
+    refused = change_to(scenario);
+  } else {
+    Diagnostic reason;
+    reason.message = "it can be disturbed " + std::to_string(kMostItems) + " times";
+    refused.add(reason);
+  }
+  worker_.report(StrategyChanged{run_, simulation_->time(), simulation_->scenario(), refused, true});
+}
+
+// What is not applied.
+Diagnostics WorkerLoop::change_to(const Scenario& scenario) {
+  report_checkpoint(&scenario);
+  Diagnostics refused;
+  for (const std::string& key : simulation_->change_strategy(scenario)) {
     refused.add({.key = key, .message = "acts from a restart only"});
   }
-  worker_.report(StrategyChanged{run_, simulation_->time(), simulation_->scenario(), refused});
+  return refused;
 }
 
 double WorkerLoop::next_frame_time() const {

@@ -31,6 +31,9 @@ class WorkerLoop {
   void on(const SetPace& command);
   void on(const SetThreads& command);
   void on(const ChangeStrategy& command);
+  void on(const Disturb& command);
+
+  Diagnostics change_to(const Scenario& scenario);
 
   void install(RunId run, Simulation simulation);
   void advance();

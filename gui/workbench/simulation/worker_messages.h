@@ -52,12 +52,16 @@ struct SetPace {
 struct SetThreads {
   int threads = 1;
 };
-// Closing law, towing and friction act as in this scenario from now on.
+// The strategy is that of this scenario from now on. The disturbances of the run remain.
 struct ChangeStrategy {
   Scenario scenario;
 };
+// Disturbs the run from its present time on, whatever the start that is given.
+struct Disturb {
+  DisturbanceParameters disturbance;
+};
 using WorkerCommand =
-    std::variant<BeginRun, BeginBranch, Resume, Pause, SingleStep, SetPace, SetThreads, ChangeStrategy>;
+    std::variant<BeginRun, BeginBranch, Resume, Pause, SingleStep, SetPace, SetThreads, ChangeStrategy, Disturb>;
 
 // From the worker.
 
@@ -84,6 +88,7 @@ struct StrategyChanged {
   double time;              // s, from which it acts
   Scenario scenario;        // in force now
   Diagnostics diagnostics;  // why it was refused: then nothing has changed
+  bool disturbed = false;   // by Disturb
 };
 // From where the run can be continued later: for its recording.
 struct CheckpointTaken {

@@ -40,6 +40,7 @@ QColor mark_color(TimeMark::Kind kind, const QPalette& palette) {
       return dark ? QColor(225, 150, 195) : QColor(180, 85, 140);
     case TimeMark::Kind::branch:
     case TimeMark::Kind::strategy:
+    case TimeMark::Kind::disturbance:
       return dark ? QColor(240, 228, 66) : QColor(150, 120, 0);
     case TimeMark::Kind::own:
       break;

@@ -77,6 +77,19 @@ TEST(Recording, KeepsEveryFrame) {
   }
 }
 
+TEST(Recording, KeepsTheControlLoops) {
+  const TemporaryFolder folder;
+  Structure structure = synthetic_structure(20);
+  structure.loops = {
+      {"Tow", "spacecraft", "speed", "controller.0", {"state"}, {"wanted"}, {"speed"}, {}, {"f_x", "f_y"}},
+      {"Winch 1", "closing rope 1", "length", ""}};
+  {
+    Recorder recorder(folder.file("run.h5"), synthetic_origin(), structure, false);
+    recorder.write(synthetic_frame(structure, 0));
+  }
+  EXPECT_EQ(Recording(folder.file("run.h5")).structure().loops, structure.loops);
+}
+
 TEST(Recording, KeepsTheStructure) {
   const TemporaryFolder folder;
   write_synthetic_run(folder.file("run.h5"), 1, 20);

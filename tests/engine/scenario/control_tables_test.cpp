@@ -46,6 +46,12 @@ delay = 0.05
 [winch]
 drive = "length"
 jammed = [[3, 4.5]]
+
+[[disturbance]]
+body = "target"
+torque = [0, 5, 0]
+start = 2
+duration = 0.5
 )";
 
 ScenarioResult read(const std::string& text) { return read_scenario_text(text, "own.toml"); }
@@ -85,6 +91,9 @@ TEST(ControlTables, AreWrittenAndReadBackTheSame) {
   EXPECT_EQ(result.scenario.thrusters, written.thrusters);
   EXPECT_EQ(result.scenario.wheels, written.wheels);
   EXPECT_EQ(result.scenario.winch, written.winch);
+  ASSERT_EQ(written.disturbances.size(), 1u);
+  EXPECT_EQ(written.disturbances[0].body, DisturbedBody::target);
+  EXPECT_EQ(result.scenario.disturbances, written.disturbances);
   EXPECT_EQ(result.scenario.actuators, written.actuators);
   EXPECT_EQ(write_scenario_text(result.scenario), text);
 }
@@ -136,6 +145,7 @@ TEST(ControlTables, GainsActAtOnceAndKindsDoNot) {
   EXPECT_TRUE(acts_at_once("controller.3.slope"));
   EXPECT_TRUE(acts_at_once("winch.jammed"));
   EXPECT_TRUE(acts_at_once("target.thrust"));
+  EXPECT_TRUE(acts_at_once("disturbance"));
   EXPECT_FALSE(acts_at_once("controller.3.kind"));
   EXPECT_FALSE(acts_at_once("controller.3.observer"));
   EXPECT_FALSE(acts_at_once("sensor.0.noise"));
@@ -171,6 +181,8 @@ TEST(ControlTables, BadInputGetsOneSentenceWithItsLine) {
       {"[spacecraft]\nstation_keeping = \"attitude\"\n[[controller]]", "own.toml:3: controller.0.kind: has no effect"},
       {"[winch]\njammed = [[3, 1]]", "own.toml:2: winch.jammed: needs a winch.drive other than"},
       {"[winch]\ndrive = \"length\"\njammed = [[9, 1]]", "own.toml:3: winch.jammed: row 1 names rope 9"},
+      {"[[disturbance]]", "own.toml:1: disturbance.0.force: a disturbance needs a force or a torque"},
+      {"[[disturbance]]\nduration = 0", "own.toml:2: disturbance.0.duration: must be > 0"},
       {"[target]\nthrust = [1, 0, 0]\nacts_until = 0", "own.toml:3: target.acts_until: must be later"},
       {"[target]\nthrust = [1, 0, 0]\nacts_from = 20",
        "own.toml:3: target.acts_from: thrust and torque never act: the "},

@@ -66,7 +66,7 @@ TEST(ParameterTable, DeclaresEveryMember) {
   const Scenario s;
   [[maybe_unused]] const auto& [n, d, system, pocket, net, rope, rods, spacecraft, target, contact, closing, towing,
                                 winch, deflation, actuators, solver, output, controllers, sensors, thrusters, wheels,
-                                own, files] = s;
+                                disturbances, own, files] = s;
   const auto count = [](std::string_view group) { return parameters_of(*find_parameter_group(group)).size(); };
   EXPECT_EQ(count(""), 3u);
   {

@@ -64,6 +64,27 @@ TEST(TomlEdit, KeepsKeysOfATableOutOfTheListsInIt) {
             "[[actuators.wheel]]\naxis = [1, 0, 0]\n\n[actuators]\nmost_force = [1, 2, 3]\n");
 }
 
+// Items of lists are edited in their own table.
+TEST(TomlEdit, EditsItemsOfLists) {
+  const std::string text =
+      "[[controller]]\nkind = \"tow\"\n\n# the second\n[[controller]]\nslope = 1 # 1/s\n\n[net]\ndiameter = 0.004\n";
+  const ParameterList& list = *find_parameter_list("controller");
+  const auto item = [&](std::size_t index, std::string_view name) -> const Parameter& {
+    return *std::ranges::find(parameters_of(list, index), name, &Parameter::name);
+  };
+  EXPECT_TRUE(states(text, item(1, "slope")));
+  EXPECT_FALSE(states(text, item(0, "slope")));
+  EXPECT_EQ(with_value(text, item(1, "slope"), 2.5),
+            "[[controller]]\nkind = \"tow\"\n\n# the second\n[[controller]]\nslope = 2.5 # 1/s\n\n[net]\ndiameter = "
+            "0.004\n");
+  EXPECT_EQ(with_value(text, item(0, "wanted"), 0.5),
+            "[[controller]]\nkind = \"tow\"\nwanted = 0.5\n\n# the second\n[[controller]]\nslope = 1 # "
+            "1/s\n\n[net]\ndiameter = 0.004\n");
+  EXPECT_FALSE(with_value(text, item(2, "slope"), 1.0)) << "there is no third";
+  const Parameter& thruster = parameters_of(*find_parameter_list("actuators.thruster"), 0)[2];
+  EXPECT_EQ(with_value("[[actuators.thruster]]\nthrust = 1\n", thruster, 3.0), "[[actuators.thruster]]\nthrust = 3\n");
+}
+
 TEST(TomlEdit, LeavesInlineTablesAlone) {
   EXPECT_FALSE(with_value("target = { radius = 4 }\n", parameter("target.mass"), 1.0));
 }

@@ -51,7 +51,7 @@ TEST_F(WindowTest, TheCheatSheetHasEveryKey) {
 
 TEST_F(WindowTest, KeysGoToThePanelsAndBack) {
   int key = Qt::Key_1;
-  for (const char* name : {"scenario", "plots", "findings", "runs"}) {
+  for (const char* name : {"scenario", "plots", "findings", "runs", "control"}) {
     auto* dock = window_->findChild<QDockWidget*>(name);
     dock->hide();
     QTest::keyClick(window_.get(), static_cast<Qt::Key>(key++), Qt::AltModifier);

@@ -241,6 +241,75 @@ TEST_F(PaperFigures, SayWhyADirectoryCannotBeUsed) {
   }
 }
 
+// A vector loop, two scalar loops of one table, and a disturbance that acts.
+RunSeries run_with_loops(const std::string& name) {
+  RunSeries run;
+  run.name = name;
+  run.begin(std::make_shared<const ChannelList>(std::vector<ChannelInfo>{{"time", "s", ""},
+                                                                         {"e_x", "rad", "error"},
+                                                                         {"e_y", "rad", "error"},
+                                                                         {"e_z", "rad", "error"},
+                                                                         {"c_x", "N m", ""},
+                                                                         {"c_y", "N m", ""},
+                                                                         {"c_z", "N m", ""},
+                                                                         {"d_x", "N m", ""},
+                                                                         {"d_y", "N m", ""},
+                                                                         {"d_z", "N m", ""},
+                                                                         {"length_1", "m", ""},
+                                                                         {"length_2", "m", ""},
+                                                                         {"wanted_1", "m", ""},
+                                                                         {"wanted_2", "m", ""},
+                                                                         {"torque_1", "N m", ""},
+                                                                         {"torque_2", "N m", ""},
+                                                                         {"disturbance_on_target_force_x", "N", ""},
+                                                                         {"disturbance_on_target_force_y", "N", ""},
+                                                                         {"disturbance_on_target_force_z", "N", ""},
+                                                                         {"other", "kg", ""}}));
+  for (const double t : {0.0, 1.0}) run.append({t, 3, 0, 4, 1, 1, 1, 2, 0, 0, 5, 6, 7, 8, 9, 10, 0, t, 0, 1});
+  ControlLoopInfo attitude{"Attitude PD", "spacecraft", "attitude", "controller.0"};
+  attitude.actual = attitude.error = {"e_x", "e_y", "e_z"};
+  attitude.commanded = {"c_x", "c_y", "c_z"};
+  attitude.delivered = {"d_x", "d_y", "d_z"};
+  run.loops = {attitude};
+  for (const std::string i : {"1", "2"}) {
+    ControlLoopInfo winch{"Winch " + i, "rope " + i, "length", "winch"};
+    winch.actual = {"length_" + i};
+    winch.set_point = {"wanted_" + i};
+    winch.delivered = {"torque_" + i};
+    run.loops.push_back(winch);
+  }
+  return run;
+}
+
+TEST_F(PaperFigures, ControlLoopsHaveARowEach) {
+  const Figure figure = make_figure("control_loops", {run_with_loops("run")});
+  ASSERT_EQ(figure.panels.size(), 5u);
+  EXPECT_EQ(figure.columns, 2);
+  EXPECT_EQ(figure.panels[0].title, "Attitude PD: error");
+  EXPECT_EQ(figure.panels[0].y.title, "Attitude error (rad)");
+  ASSERT_EQ(figure.panels[0].curves.size(), 3u);
+  EXPECT_EQ(figure.panels[0].curves[2].label, "z");
+  ASSERT_EQ(figure.panels[1].curves.size(), 6u) << "commanded and delivered";
+  EXPECT_EQ(figure.panels[1].y.title, "Torque (N m)");
+  EXPECT_EQ(figure.panels[1].curves[0].y, (std::vector<double>{2, 2}));
+  EXPECT_FALSE(figure.panels[1].curves[1].dash.empty());
+  EXPECT_EQ(figure.panels[2].title, "Winch 1 to Winch 2: actual; dashed: set point");
+  EXPECT_EQ(figure.panels[2].curves.size(), 4u);
+  EXPECT_EQ(figure.panels[4].title, "Disturbance on target");
+  const Figure own = make_figure("own_channels", {run_with_loops("run")});
+  EXPECT_EQ(own.panels.size(), 2u) << "the disturbance and what no loop names";
+}
+
+TEST_F(PaperFigures, ControlLoopsOfSeveralRunsLieOverEachOther) {
+  const Figure figure = make_figure("control_loops", {run_with_loops("with loop"), run_with_loops("without loop")});
+  ASSERT_EQ(figure.panels.size(), 5u);
+  ASSERT_EQ(figure.panels[0].curves.size(), 2u);
+  EXPECT_EQ(figure.panels[0].title, "Attitude PD: size of the error");
+  EXPECT_EQ(figure.panels[0].curves[0].y, (std::vector<double>{5, 5}));
+  EXPECT_EQ(figure.panels[0].curves[0].label, "with loop");
+  EXPECT_EQ(figure.panels[0].curves[1].label, "without loop");
+}
+
 TEST_F(PaperFigures, ComponentsOfOneQuantityShareAPanel) {
   RunSeries run;
   run.name = "run";

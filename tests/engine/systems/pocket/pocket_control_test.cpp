@@ -260,6 +260,124 @@ TEST(PocketControl, BranchesWithOtherGainsToTheLastBit) {
   expect_same(after(resumed, 0.6), expected);
 }
 
+// A push of 100 N for 0.2 s, which is no whole number of steps, gives the target of 200 kg 0.1 m/s. Its work is
+// 1/2 200 kg (0.1 m/s)^2 = 1 J, and it is input of the account of energy.
+TEST(PocketControl, DisturbancesGiveTheirImpulseAndAreInTheAccount) {
+  Scenario scenario = coarse();
+  scenario.target.mass = 200;
+  scenario.closing.start = 50;
+  scenario.disturbances = {{DisturbedBody::target, {100, 0, 0}, {0, 0, 0}, 0.1234567, 0.2}};
+  expect_valid(scenario);
+  Simulation simulation(scenario);
+  const Snapshot before = after(simulation, 0.12);
+  EXPECT_EQ(before.bodies[1].velocity.x(), 0);
+  EXPECT_EQ(channel(before, "disturbance_on_target_force_x"), 0);
+  const Snapshot during = after(simulation, 0.2);
+  EXPECT_NEAR(channel(during, "disturbance_on_target_force_x"), 100 * (0.2 - 0.1234567) / 0.08, 1e-9);
+  const Snapshot end = after(simulation, 0.4);
+  EXPECT_NEAR(end.bodies[1].velocity.x(), 0.1, 1e-12);
+  EXPECT_NEAR(channel(end, "energy_input") - channel(before, "energy_input"), 1, 0.01);
+  EXPECT_LT(std::abs(channel(end, "energy_error")), 1e-3);
+}
+
+// A disturbance that comes during a run, as at a click, is part of the strategy: it acts at once, and the run resumes
+// with it. A torque of 20 N m turns the spacecraft of 12736 kg m^2 by half its acceleration times the square of time.
+TEST(PocketControl, DisturbancesCanBeAddedDuringARun) {
+  Scenario scenario = everything();
+  scenario.controllers[0].phase = ControlPhase::off;
+  Simulation whole(scenario);
+  after(whole, 0.3);
+  const Snapshot at_rest = whole.snapshot();
+  const double before = channel(at_rest, "controller_1_actual_y") + 0.1 * channel(at_rest, "spin_y");
+  Scenario pushed = whole.scenario();
+  pushed.disturbances = {{DisturbedBody::spacecraft, {0, 0, 0}, {0, 2000, 0}, whole.time(), 0.15}};
+  const std::vector<double> at_change = whole.checkpoint();
+  EXPECT_TRUE(whole.change_strategy(pushed).empty());
+  const double turned = channel(after(whole, 0.4), "controller_1_actual_y") - before;
+  EXPECT_GT(turned, 0.5 * 2000.0 / 12736 * 0.1 * 0.1 / 2) << "the pocket adds to the inertia";
+  EXPECT_LT(turned, 1.02 * 2000.0 / 12736 * 0.1 * 0.1 / 2) << "a force that begins with a step acts half a step early";
+  const std::vector<double> state = whole.checkpoint();
+  const Snapshot expected = after(whole, 0.6);
+  Simulation repeated(scenario);
+  repeated.restore(at_change);
+  repeated.change_strategy(pushed);
+  after(repeated, 0.4);
+  expect_same(after(repeated, 0.6), expected);
+  Simulation resumed(pushed);
+  resumed.restore(state);
+  EXPECT_EQ(after(resumed, 0.6).positions, expected.positions);
+}
+
+std::vector<std::string> all_channels(const ControlLoopInfo& loop) {
+  std::vector<std::string> names;
+  for (const LoopQuantity& quantity : kLoopQuantities) {
+    names.insert(names.end(), (loop.*quantity.channels).begin(), (loop.*quantity.channels).end());
+  }
+  return names;
+}
+
+// What panels and figures know of the loops: the structure names them, and all channels that they name exist.
+TEST(PocketControl, LoopsAreDescribedAsData) {
+  Simulation simulation(everything());
+  const auto& loops = simulation.structure().loops;
+  ASSERT_EQ(loops.size(), 3u + 8u);
+  EXPECT_EQ(loops[0].name, "Attitude sliding mode");
+  EXPECT_EQ(loops[0].table, "controller.0");
+  EXPECT_EQ(loops[0].load, (std::vector<std::string>{"torque_load"}));
+  EXPECT_EQ(loops[0].disturbance.size(), 3u);
+  EXPECT_EQ(loops[1].load, (std::vector<std::string>{"force_load"}));
+  EXPECT_TRUE(loops[1].disturbance.empty());
+  EXPECT_EQ(loops[2].set_point.size(), 1u);
+  EXPECT_EQ(loops[10].acts_on, "closing rope 8");
+  for (const ControlLoopInfo& loop : loops) {
+    for (const std::string& name : all_channels(loop)) {
+      EXPECT_TRUE(simulation.structure().channels->find(name)) << name;
+    }
+  }
+}
+
+// At 0.2 s the target has come near enough: the winches wake up. At 0.3 s the towing starts.
+TEST(PocketControl, LoopsTellTheirStateAndTheirError) {
+  Simulation simulation(everything());
+  const Snapshot before = after(simulation, 0.04);
+  EXPECT_EQ(channel(before, "controller_1_state"), 1);
+  EXPECT_EQ(channel(before, "controller_3_state"), 0);
+  EXPECT_EQ(channel(before, "winch_state_1"), 0);
+  const Snapshot later = after(simulation, 0.4);
+  EXPECT_EQ(channel(later, "controller_3_state"), 1);
+  EXPECT_EQ(channel(later, "winch_state_1"), 1);
+  EXPECT_EQ(channel(later, "winch_set_point_1"), 20);
+  EXPECT_NEAR(channel(later, "controller_2_actual_x") - channel(later, "controller_2_set_point_x"),
+              channel(later, "controller_2_error_x"), 1e-15);
+  EXPECT_EQ(channel(later, "controller_2_error_y"), 0) << "it is not controlled";
+  EXPECT_EQ(channel(later, "controller_3_actual"), -later.bodies[0].velocity.y());
+}
+
+// With its controllers off, a scenario has the same channels and no control.
+TEST(PocketControl, ControllersCanBeOff) {
+  Scenario scenario = everything();
+  for (ControllerParameters& controller : scenario.controllers) controller.phase = ControlPhase::off;
+  expect_valid(scenario);
+  Simulation simulation(scenario);
+  EXPECT_EQ(simulation.structure().channels->size(), Simulation(everything()).structure().channels->size());
+  const Snapshot end = after(simulation, 0.4);
+  EXPECT_EQ(channel(end, "controller_1_state"), 3);
+  EXPECT_EQ(channel(end, "demanded_torque_x"), 0);
+  EXPECT_EQ(channel(end, "propellant"), 0);
+}
+
+// J w^2 times the error of 0.1 rad is demanded, many times what the box gives.
+TEST(PocketControl, LoadsShowSaturation) {
+  Scenario scenario = coarse();
+  scenario.controllers = {{.attitude = {0.1, 0, 0}}};
+  scenario.actuators = {.kind = ActuatorKind::box, .most_torque = {2, 50, 50}};
+  Simulation simulation(scenario);
+  const Snapshot at_start = after(simulation, 0.02);
+  const double wanted = scenario.spacecraft.inertia.x() * 0.25 * 0.1;
+  EXPECT_NEAR(channel(at_start, "torque_load"), wanted / 2, 0.05 * wanted / 2);
+  EXPECT_LE(std::abs(channel(at_start, "exerted_torque_x")), 2 + 1e-9);
+}
+
 TEST(PocketControl, TowingEndsBeyondTheForceThatAborts) {
   Scenario scenario = coarse();
   scenario.target.radius = 4.5;
