@@ -50,9 +50,8 @@ std::string quantiles_section(const StudyOutcome& outcome) {
   std::string rows;
   for (const GroupEstimate& e : outcome.estimates) {
     for (const QuantileOfColumn& q : e.quantiles) {
-      rows +=
-          fmt::format("| `{}` | {} | {:g} % | {:.4g} | {:.4g} to {:.4g} | {} |\n", q.column, markdown_cell(e.variant),
-                      100 * q.fraction, q.value, q.interval.lower, q.interval.upper, q.count);
+      rows += fmt::format("| `{}` | {} | {:g} % | {:.4g} | {} | {} |\n", q.column, markdown_cell(e.variant),
+                          100 * q.fraction, q.value, interval_text(q.interval), q.count);
     }
   }
   if (rows.empty()) return "";

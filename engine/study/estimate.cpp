@@ -52,13 +52,20 @@ std::string lines_of(const Study& study, const GroupEstimate& e, const std::stri
   text += fmt::format("probability of capture {:.4f} ({:.4f} to {:.4f} with {:g} % confidence; {})\n", e.probability(),
                       e.wilson.lower, e.wilson.upper, 100 * study.estimate.confidence, tally_text(e));
   for (const QuantileOfColumn& q : e.quantiles) {
-    text += fmt::format("  {} {:g} % below {} ({} to {}, {} values)\n", q.column, 100 * q.fraction, short_text(q.value),
-                        short_text(q.interval.lower), short_text(q.interval.upper), q.count);
+    text += fmt::format("  {} {:g} % below {} ({}, {} values)\n", q.column, 100 * q.fraction, short_text(q.value),
+                        interval_text(q.interval), q.count);
   }
   return text;
 }
 
 }  // namespace
+
+std::string interval_text(const Interval& interval) {
+  const bool has_lower = std::isfinite(interval.lower), has_upper = std::isfinite(interval.upper);
+  if (has_lower && has_upper) return fmt::format("{} to {}", short_text(interval.lower), short_text(interval.upper));
+  if (has_lower) return fmt::format("at least {}", short_text(interval.lower));
+  return has_upper ? fmt::format("at most {}", short_text(interval.upper)) : "too few values to bound it";
+}
 
 void CaptureTally::add(const StudyRecord& run) {
   if (!run["captured"].is_boolean()) {

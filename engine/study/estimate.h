@@ -30,6 +30,9 @@ struct QuantileOfColumn {
   Interval interval;  // an end is infinite where the values are too few to bound it
 };
 
+// "3 to 4"; "at least 3" or "at most 4" where an end is not known, as it lies beyond all values.
+std::string interval_text(const Interval& interval);
+
 struct GroupEstimate {
   std::size_t group = 0;  // index as in StudyPlan::group_count()
   std::string variant;

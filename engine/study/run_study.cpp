@@ -11,11 +11,11 @@
 #include <mutex>
 #include <optional>
 #include <thread>
-#include <unordered_map>
 
 #include "engine/base/folder.h"
 #include "engine/base/whole_file.h"
 #include "engine/statistics/proportion.h"
+#include "engine/study/found_records.h"
 #include "engine/study/measured_run.h"
 #include "engine/study/record_files.h"
 #include "engine/study/study_folder.h"
@@ -32,56 +32,9 @@ void remove_own(const std::string& path) {
   std::filesystem::remove(path, ignored);
 }
 
-// Joins the lines of a text.
-std::string in_one_line(std::string text) {
-  for (auto end = text.find('\n'); end != text.npos; end = text.find('\n', end)) text.replace(end, 1, "; ");
-  return text;
-}
-
-// The scenarios of a point.
-struct Prepared {
-  std::size_t index = 0;
-  StudyPoint point;
-  std::vector<Scenario> scenarios;  // by variant
-  std::string identity;
-  std::string problem;  // why the point cannot be run; empty if it can
-};
-
-Prepared prepare(const Study& study, const StudyPlan& plan, std::size_t index, const std::string& program,
-                 StudyScenario (*make)(const Study&, const StudyPoint&, const NamedSettings&) = study_scenario) {
-  Prepared made{index, plan.point(index), {}, {}, {}};
-  for (const NamedSettings& variant : study.variants) {
-    StudyScenario scenario = make(study, made.point, variant);
-    if (!scenario.diagnostics.ok() && made.problem.empty()) made.problem = in_one_line(scenario.diagnostics.text());
-    made.scenarios.push_back(std::move(scenario.scenario));
-  }
-  made.identity = point_identity(made.scenarios, program);
-  return made;
-}
-
-// Records on disk by point. Of several records of a point the last of the right identity counts.
-class FoundRecords {
- public:
-  explicit FoundRecords(const std::string& folder) {
-    scan_records(folder, [this](const RecordPlace& place) { places_[place.point - 1].push_back(place); });
-  }
-
-  std::optional<RecordPlace> find(std::size_t index, const std::string& identity) const {
-    const auto found = places_.find(index);
-    if (found == places_.end()) return std::nullopt;
-    for (auto place = found->second.rbegin(); place != found->second.rend(); ++place) {
-      if (place->identity == identity) return *place;
-    }
-    return std::nullopt;
-  }
-
- private:
-  std::unordered_map<std::size_t, std::vector<RecordPlace>> places_;
-};
-
 // A point that is being run.
 struct Work {
-  Prepared prepared;
+  PreparedPoint prepared;
   std::vector<std::string> files;  // of its recordings, by variant; empty names: none
   std::vector<StudyRecord> runs;   // by variant
   std::size_t runs_left = 0;
@@ -186,9 +139,11 @@ class StudyRunner {
   // Begins a point. Nothing when it is refused or kept from before.
   std::optional<Task> begin(std::size_t index) {
     auto work = std::make_shared<Work>();
-    work->prepared = prepare(study_, plan_, index, options_.version + options_.commit);
-    const Prepared& prepared = work->prepared;
-    const auto kept = found_ ? found_->find(index, prepared.identity) : std::nullopt;
+    const std::string program = options_.version + options_.commit;
+    work->prepared = prepare_point(study_, plan_, index, program, PointCheck::none);
+    const auto kept = found_ ? found_->find(index, work->prepared.identity) : std::nullopt;
+    if (!kept) work->prepared = prepare_point(study_, plan_, index, program, PointCheck::full);
+    const PreparedPoint& prepared = work->prepared;
     if (kept || !prepared.problem.empty()) {
       const std::scoped_lock lock(mutex_);
       --preparing_;
@@ -243,7 +198,7 @@ class StudyRunner {
       for (const std::string& file : work.files) {
         if (study_.has_findings) recordings.emplace_back(file);
       }
-      const Prepared& prepared = work.prepared;
+      const PreparedPoint& prepared = work.prepared;
       const StudyRecord record =
           run_record(prepared.index, prepared.point, prepared.identity, std::move(work.runs), recordings);
       writer_->add(record);
@@ -322,17 +277,18 @@ class Collector {
     const FoundRecords found(folder_);
     outcome.points = points;
     const auto part = static_cast<std::size_t>(options_.part.part - 1);
-    for (std::size_t i = 0; i < points; ++i) {
-      const std::string identity =
-          prepare(study_, plan_, i, options_.version + options_.commit, unchecked_scenario).identity;
-      const auto place = found.find(i, identity);
+    const auto parts = static_cast<std::size_t>(options_.part.parts);
+    // One of many parts, which is not the last to end, does not look at the points of the others.
+    const bool is_for_all = parts == 1 || found.size() >= points;
+    for (std::size_t i = is_for_all ? 0 : part; i < points; i += is_for_all ? 1 : parts) {
+      const std::string program = options_.version + options_.commit;
+      const auto place = found.find(i, prepare_point(study_, plan_, i, program, PointCheck::none).identity);
       if (place) places_.push_back(*place);
-      const bool is_mine = i % static_cast<std::size_t>(options_.part.parts) == part;
-      outcome.stopped = outcome.stopped || (!place && is_mine);
+      outcome.stopped = outcome.stopped || (!place && i % parts == part);
     }
-    outcome.points_done = places_.size();
+    outcome.points_done = is_for_all ? places_.size() : found.size();
     evaluate(outcome);
-    if (options_.part.parts > 1 && places_.size() < points) return;
+    if (parts > 1 && places_.size() < points) return;
     write_study_tables(study_, folder_, places_);
     if (!study_.uncertain.empty()) {
       write_whole_file(folder_ + "/study_estimates.csv", FileKind::csv, estimates_csv(study_, outcome.estimates));

@@ -39,7 +39,7 @@ struct StudyOutcome {
   std::vector<StudyRecord> records;      // of the finished points, in their order; only of studies with findings
   std::size_t points = 0;                // of the study, or as many as it took until its interval was narrow enough
   std::size_t points_done = 0;           // of these, by all parts
-  std::size_t refused = 0;               // of these
+  std::size_t refused = 0;               // of these; of this part's only, while points of others are missing
   std::size_t diverged = 0;              // likewise, points with a run that diverged
   std::string first_refusal;             // why the first refused point was refused
   bool stopped = false;                  // points of this part are missing

@@ -86,10 +86,10 @@ StudyStatus study_status(const std::string& folder) {
   status.study = manifest["study"].get<std::string>();
   status.points = manifest["points"].get<std::size_t>();
   std::vector<RecordPlace> failed;
-  std::vector<bool> is_finished(status.points);
+  status.is_finished.resize(status.points);
   scan_records(folder, [&](const RecordPlace& place) {
-    if (place.point > status.points || is_finished[place.point - 1]) return;
-    is_finished[place.point - 1] = true;
+    if (place.point > status.points || status.is_finished[place.point - 1]) return;
+    status.is_finished[place.point - 1] = true;
     ++status.finished;
     status.refused += place.outcome == "refused" ? 1 : 0;
     status.diverged += place.outcome == "diverged" ? 1 : 0;

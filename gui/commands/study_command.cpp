@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <thread>
 
@@ -15,6 +16,8 @@
 #include "engine/study/search_report.h"
 #include "engine/study/study_folder.h"
 #include "engine/study/study_status.h"
+#include "gui/cluster/slurm.h"
+#include "gui/cluster/slurm_study.h"
 #include "gui/commands/command.h"
 #include "gui/commands/interrupt.h"
 #include "gui/commands/options.h"
@@ -56,12 +59,16 @@ keeps the points that are done; --resume goes on. scenarios/studies/README.md de
 --part 3/8 runs the third of eight parts; others may run at the same time, here or on other machines, into the same folder.
 The one that is last writes the tables. --status tells how far a folder is.
 
+--slurm submits the parts to Slurm as a job array, and a job that puts the tables together when they have ended; the folder
+must be one that all nodes see. --slurm --resume submits only the parts with points that are missing.
+
 Examples:
   netpocket study scenarios/studies/pocket_shape.toml -o shapes --jobs 4
   netpocket study scenarios/studies/pocket_shape.toml -o shapes --jobs 4 --resume
   netpocket study scenarios/studies/findings.toml -o findings --report findings.md
   seq 8 | parallel netpocket study s.toml -o out --jobs 1 --quiet --part {}/8
   netpocket study --status out
+  netpocket study s.toml -o out --slurm --parts 100 --partition compute --time 1:00:00
 
 )";
 
@@ -74,6 +81,9 @@ struct StudyChoice {
   int jobs = 1;
   bool resume = false;
   bool merge = false;
+  bool slurm = false;
+  int parts = 0;
+  std::string partition, time;
   bool quiet = false;
 };
 
@@ -130,18 +140,18 @@ void check_outputs(const StudyChoice& choice) {
 }
 
 void require_valid_point(const StudyOutcome& outcome) {
-  if (outcome.points_done == 0 || outcome.refused < outcome.points_done) return;
+  if (!outcome.has_tables || outcome.points_done == 0 || outcome.refused < outcome.points_done) return;
   throw CommandError(ExitCode::bad_input, fmt::format("none of the {} points makes a valid scenario; the first: {}",
                                                       outcome.points, outcome.first_refusal));
 }
 
 // What goes together and what does not.
 void check_choice(const StudyChoice& choice, const Study& study) {
-  const bool is_part = !choice.part.empty();
+  const bool is_part = !choice.part.empty() || choice.slurm;
   if (is_part && study.until.half_width > 0) {
     throw CommandError(ExitCode::bad_input, "a study that ends by [until] looks at all its points: it has no parts");
   }
-  if (!is_part && !choice.merge && !choice.resume && holds_study(choice.output)) {
+  if (choice.part.empty() && !choice.merge && !choice.resume && holds_study(choice.output)) {
     throw CommandError(ExitCode::io, fmt::format("\"{}\" holds a study already; --resume goes on with it, or name "
                                                  "another folder",
                                                  choice.output));
@@ -153,7 +163,8 @@ void check_choice(const StudyChoice& choice, const Study& study) {
 
 ExitCode show_status(const std::string& folder) {
   try {
-    print(status_text(study_status(folder)));
+    const StudyStatus status = study_status(folder);
+    print(status_text(status) + slurm_status_text(folder, status));
   } catch (const FileError& error) {
     throw CommandError(ExitCode::bad_input, error.what());
   }
@@ -167,6 +178,35 @@ void print_outcome(const StudyChoice& choice, const Study& study, const StudyOut
   if (outcome.has_tables && !outcome.sensitivities.empty()) print(sensitivity_text(study, outcome.sensitivities));
 }
 
+std::string submission_text(const SlurmSubmission& made, const std::string& folder) {
+  std::string text;
+  if (made.alive > 0) text += fmt::format("{} parts with missing points are still in the queue\n", made.alive);
+  if (made.missing == 0) text += "no point is missing; --merge puts the tables together\n";
+  if (made.submitted.empty()) return text;
+  return text + fmt::format(
+                    "submitted {0} of {1} parts as job {2}, {3} points are missing; job {4} puts the tables together\n"
+                    "\"{5}/slurm\" has their logs; netpocket study --status {5} tells how far they are\n",
+                    made.submitted.size(), made.parts, made.array, made.missing, made.collector, folder);
+}
+
+ExitCode hand_over(const StudyChoice& choice, const Study& study) {
+  try {
+    const SlurmSubmission made =
+        submit_study(study, {.study = choice.study,
+                             .folder = choice.output,
+                             .report = choice.report,
+                             .parts = choice.parts,
+                             .partition = choice.partition,
+                             .time = choice.time,
+                             .program = std::filesystem::read_symlink("/proc/self/exe").string(),
+                             .version = std::string(program_version()) + program_commit()});
+    if (!choice.quiet) print(submission_text(made, choice.output));
+    return ExitCode::ok;
+  } catch (const SlurmError& error) {
+    throw CommandError(error.kind() == SlurmError::Kind::refused ? ExitCode::bad_input : ExitCode::io, error.what());
+  }
+}
+
 ExitCode run(const StudyChoice& choice, const std::string& command_line) {
   if (!choice.status.empty()) return show_status(choice.status);
   if (choice.study.empty()) throw CommandError(ExitCode::usage, "STUDY is required");
@@ -176,6 +216,7 @@ ExitCode run(const StudyChoice& choice, const std::string& command_line) {
   check_choice(choice, study);
   make_folder(choice.output);
   check_outputs(choice);
+  if (choice.slurm) return hand_over(choice, study);
   const StudyOptions options = {.jobs = choice.merge ? 0 : choice.jobs,
                                 .resume = choice.resume || choice.merge || part.parts > 1,
                                 .version = program_version(),
@@ -211,15 +252,29 @@ Action declare_study(CLI::App& app) {
   app.add_option("STUDY", choice->study, "study file (TOML)")->type_name("FILE");
   CLI::Option* output =
       app.add_option("-o,--output", choice->output, "folder to write; made when missing")->type_name("DIR");
-  app.add_option("--jobs", choice->jobs, "runs at a time; each takes one processor core")
-      ->type_name("N")
-      ->check(whole_number(1, 256))
-      ->capture_default_str();
+  CLI::Option* jobs = app.add_option("--jobs", choice->jobs, "runs at a time; each takes one processor core")
+                          ->type_name("N")
+                          ->check(whole_number(1, 256))
+                          ->capture_default_str();
   app.add_flag("--resume", choice->resume, "go on with a study in the same folder: only what is missing is run");
   CLI::Option* part =
       app.add_option("--part", choice->part, "only this part of the points, e.g. 3/8; what is done is kept")
           ->type_name("PART/PARTS");
-  app.add_flag("--merge", choice->merge, "run nothing, only put the tables together from what is done")->excludes(part);
+  CLI::Option* merge =
+      app.add_flag("--merge", choice->merge, "run nothing, only put the tables together from what is done")
+          ->excludes(part);
+  CLI::Option* slurm = app.add_flag("--slurm", choice->slurm, "submit the points to Slurm, as a job array of parts")
+                           ->excludes(part)
+                           ->excludes(merge)
+                           ->excludes(jobs);
+  app.add_option("--parts", choice->parts, "number of parts; default: twenty points each, at most 1000 parts")
+      ->type_name("K")
+      ->check(whole_number(1, 100000))
+      ->needs(slurm);
+  app.add_option("--partition", choice->partition, "partition of the cluster")->type_name("P")->needs(slurm);
+  app.add_option("--time", choice->time, "time limit of a part, as sbatch takes it, e.g. 1:00:00")
+      ->type_name("T")
+      ->needs(slurm);
   app.add_option("--status", choice->status, "tell how far the study in this folder is")
       ->type_name("DIR")
       ->excludes(output);
