@@ -21,9 +21,9 @@ class FaultSearch {
   explicit FaultSearch(const Model& model) : model_(model) {}
 
   Fault first() const {
-    for (const auto search :
-         {&FaultSearch::in_nodes, &FaultSearch::in_gradients, &FaultSearch::in_materials, &FaultSearch::in_elements,
-          &FaultSearch::in_bodies, &FaultSearch::in_hinges, &FaultSearch::in_ropes, &FaultSearch::in_node_groups}) {
+    for (const auto search : {&FaultSearch::in_nodes, &FaultSearch::in_gradients, &FaultSearch::in_materials,
+                              &FaultSearch::in_elements, &FaultSearch::in_bodies, &FaultSearch::in_hinges,
+                              &FaultSearch::in_lines, &FaultSearch::in_ropes, &FaultSearch::in_node_groups}) {
       if (Fault fault = (this->*search)()) return fault;
     }
     return std::nullopt;
@@ -140,6 +140,18 @@ class FaultSearch {
         return "has a negative or infinite stiffness or damping";
       }
       return "";
+    });
+  }
+
+  Fault in_lines() const {
+    return search("line", model_.lines, [&](const TensionLine& line, std::size_t) -> std::string {
+      for (const std::int32_t node : {line.node1, line.node2}) {
+        if (!is_index(node, model_.nodes.size())) return "joins a node that does not exist";
+      }
+      if (line.node1 == line.node2) return "joins a node to itself";
+      if (!is_positive(line.length)) return "has no length";
+      if (!is_positive(line.stiffness)) return "has no stiffness";
+      return is_not_negative(line.damping) ? "" : "has a negative or infinite damping";
     });
   }
 

@@ -92,6 +92,15 @@ struct Hinge {
   double damping;    // N m s/rad
 };
 
+// Line without mass between two nodes. It pulls and never pushes: with the distance d between the nodes its tension is
+// max(stiffness (d - length) + damping dd/dt, 0) while d > length, else 0. It has no contact and is not drawn.
+struct TensionLine {
+  std::int32_t node1, node2;
+  double length;     // m, at which it becomes taut
+  double stiffness;  // N/m
+  double damping;    // N s/m
+};
+
 // Contact of cables and bodies: constants of the laws in engine/contact/force_law.h.
 struct ContactSettings {
   double restitution = 0.5;
@@ -128,6 +137,7 @@ struct Model {
   std::vector<std::string> threads = {"cable"};
   std::vector<ModelBody> bodies;
   std::vector<Hinge> hinges;
+  std::vector<TensionLine> lines;
   std::vector<VariableRope> ropes;
   ContactSettings contact;
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  // m/s^2

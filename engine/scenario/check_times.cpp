@@ -45,6 +45,7 @@ class TimeChecker {
         return s_.towing.starts_at == TowingStart::closed ? closing_end_ : s_.towing.start;
       case ControlPhase::always:
       case ControlPhase::open:
+      case ControlPhase::off:
         break;
     }
     return 0;

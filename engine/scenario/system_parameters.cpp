@@ -12,6 +12,7 @@
 #include "engine/scenario/check_pocket.h"
 #include "engine/scenario/shared_parameters.h"
 #include "engine/scenario/strategy.h"
+#include "engine/scenario/thrown_net_parameters.h"
 
 namespace netpocket {
 namespace {
@@ -58,7 +59,10 @@ struct Table {
 
 class Registry {
  public:
-  Registry() { add(pocket_parameters()); }
+  Registry() {
+    add(pocket_parameters());
+    add(thrown_net_system_parameters());
+  }
 
   void add(const SystemParameters& kind) {
     if (find(kind.name) != nullptr) {

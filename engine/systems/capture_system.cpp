@@ -4,13 +4,14 @@
 #include <deque>
 
 #include "engine/systems/pocket/pocket_system.h"
+#include "engine/systems/thrown_net/thrown_net_system.h"
 
 namespace netpocket {
 namespace {
 
 // A deque keeps the places of its entries.
 std::deque<CaptureSystemKind>& kinds() {
-  static std::deque<CaptureSystemKind> kinds = {pocket_kind()};
+  static std::deque<CaptureSystemKind> kinds = {pocket_kind(), thrown_net_kind()};
   return kinds;
 }
 

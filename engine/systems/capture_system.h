@@ -1,6 +1,6 @@
 #pragma once
 // Capture systems: ways to catch a target. A scenario names the kind of its system, and the run of a scenario knows
-// only what is declared here. systems/pocket holds the first kind.
+// only what is declared here. systems/pocket and systems/thrown_net hold the first two kinds.
 //
 // To add a kind: declare its parameters (scenario/system_parameters.h), write a function that builds the system from a
 // scenario, and register both before the first scenario is read.

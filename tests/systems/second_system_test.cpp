@@ -85,9 +85,10 @@ TEST_F(SecondSystem, SaysWhatIsWrongInItsScenarios) {
     const ScenarioResult result = read_scenario_text(text, "n.toml");
     return result.ok() ? check_scenario(result.scenario).text() : result.diagnostics.text();
   };
-  EXPECT_EQ(problem("system = \"faling_net\"\n"),
-            "n.toml:1: system: expects one of \"pocket\", \"falling_net\", not the text \"faling_net\"; did you mean "
-            "\"falling_net\"?");
+  EXPECT_EQ(
+      problem("system = \"faling_net\"\n"),
+      "n.toml:1: system: expects one of \"pocket\", \"thrown_net\", \"falling_net\", not the text \"faling_net\"; did "
+      "you mean \"falling_net\"?");
   EXPECT_EQ(problem("system = \"falling_net\"\n[closing]\nduration = 5\n"),
             "n.toml:2: closing: is not a table of a scenario of the system 'falling_net'; scenarios/REFERENCE.md lists "
             "them all");

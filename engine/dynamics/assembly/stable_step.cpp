@@ -96,6 +96,8 @@ std::string limit_text(const Model& model, StepLimit limit, std::int32_t thread)
       return "the full element's stiffness in " + name;
     case StepLimit::hinge:
       return "a rod's kink";
+    case StepLimit::line:
+      return "a tension line";
     case StepLimit::nothing:
       break;
   }
@@ -147,6 +149,17 @@ StableStep find_stable_step(const Model& model, const CoordinateLayout& layout, 
       dissipation += hinge.damping * bend.squaredNorm();
       consider(hinge.stiffness * bend.squaredNorm(), StepLimit::hinge, 0);
     }
+    for (const TensionLine& line : model.lines) {
+      const std::int32_t r1 = layout.position(line.node1), r2 = layout.position(line.node2);
+      const Eigen::Vector3d along = (coordinates.get(r2) - coordinates.get(r1)).stableNormalized();
+      const double stretch = along.dot(x[r2] - x[r1]);
+      const Eigen::Vector3d force = (line.stiffness + factor * line.damping) * stretch * along;
+      product[r2] += force;
+      product[r1] -= force;
+      potential += line.stiffness * stretch * stretch;
+      dissipation += line.damping * stretch * stretch;
+      consider(line.stiffness * stretch * stretch, StepLimit::line, 0);
+    }
     dissipation += damping.axial + damping.bending;
     double norm = 0;
     for (std::size_t i = 0; i < x.size(); ++i) {
@@ -164,6 +177,26 @@ StableStep find_stable_step(const Model& model, const CoordinateLayout& layout, 
     if (!std::isfinite(step)) return result;
     if (iteration >= kLeastIterations && std::abs(step - before) < kSettled * step) break;
   }
+  return result;
+}
+
+StableStep with_lines(const Model& model, const CoordinateLayout& layout, std::span<const double> inverse_mass,
+                      const StableStep& without) {
+  std::vector<double> stiffness(inverse_mass.size(), 0.0), damping(inverse_mass.size(), 0.0);
+  for (const TensionLine& line : model.lines) {
+    for (const std::int32_t node : {line.node1, line.node2}) {
+      const auto place = static_cast<std::size_t>(layout.position(node));
+      stiffness[place] += 2 * line.stiffness * inverse_mass[place];
+      damping[place] += 2 * line.damping * inverse_mass[place];
+    }
+  }
+  if (model.lines.empty()) return without;
+  StableStep result = without;
+  const double of_lines = *std::ranges::max_element(stiffness);
+  if (of_lines > result.stiffness) result.limit = StepLimit::line;
+  result.stiffness += of_lines;
+  result.damping += *std::ranges::max_element(damping);
+  result.step = stable_step_of_mode(result.stiffness, result.damping);
   return result;
 }
 

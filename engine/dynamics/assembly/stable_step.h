@@ -19,7 +19,7 @@
 namespace netpocket {
 
 // The main kind of a limiting mode.
-enum class StepLimit : std::uint8_t { nothing, axial_waves, bending_waves, full_element, hinge };
+enum class StepLimit : std::uint8_t { nothing, axial_waves, bending_waves, full_element, hinge, line };
 
 struct StableStep {
   double step;  // s
@@ -37,11 +37,18 @@ double stable_step_of_mode(double stiffness, double damping);
 
 // Stable step of mean-strain elements with lumped mass. `elements`: at their present lengths. `inverse_mass`: by
 // coordinate, 0 where a coordinate is not free. The step is infinite if nothing moves.
+// Bodies are taken as standing.
 StableStep find_stable_step(const Model& model, const CoordinateLayout& layout, std::span<const BatchElement> elements,
                             std::span<const double> inverse_mass, const CoordinateVectors& coordinates);
 
-// The same for full elements with consistent mass, from the highest frequency of any single element in its present
-// shape. It is an upper bound of that of the whole model (Irons & Treharne 1971). `elements`: at their present lengths.
+// A step (s) that is stable with a model's tension lines as well, whatever their directions: the squared frequencies of
+// two stiffnesses add up at most, and those of lines are at most twice the largest sum k/m of a node (Gershgorin).
+StableStep with_lines(const Model& model, const CoordinateLayout& layout, std::span<const double> inverse_mass,
+                      const StableStep& without);
+
+// As find_stable_step for full elements with consistent mass, from the highest frequency of any single element in its
+// present shape. It is an upper bound of that of the whole model (Irons & Treharne 1971). `elements`: at their present
+// lengths.
 StableStep find_stable_step_of_full_elements(const Model& model, std::span<const BatchElement> elements,
                                              const CoordinateVectors& coordinates);
 

@@ -183,11 +183,11 @@ void StepChoice::visit_state(const std::function<void(double&)>& visit) {
   double is_monitored = is_monitored_ ? 1 : 0;
   visit(is_monitored);
   is_monitored_ = is_monitored != 0;
-  visit_enum(visit, bound_.limit, StepLimit::hinge);
+  visit_enum(visit, bound_.limit, StepLimit::line);
   visit_integer(visit, bound_.thread, 0);
   visit_integer(visit, limiting_rope_, 0);
   visit_enum(visit, smallest_.cause, Cause::ropes);
-  visit_enum(visit, smallest_.mode, StepLimit::hinge);
+  visit_enum(visit, smallest_.mode, StepLimit::line);
   visit_integer(visit, smallest_.thread, 0);
   visit_enum(visit, smallest_.shortening, Shortening::energy);
   limiter_.visit_state(visit);

@@ -39,7 +39,7 @@ struct SystemOptions {
 
 // Energy (J) dissipated since the start. No part ever decreases.
 struct SpentEnergy {
-  double in_cords = 0;     // damping of cords, ropes and rods
+  double in_cords = 0;     // damping of cords, ropes, rods and lines
   double at_hinges = 0;    // dampers of hinges
   double in_contacts = 0;  // dampers of contacts, and impacts that contacts stop within a step
   double by_friction = 0;

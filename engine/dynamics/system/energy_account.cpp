@@ -15,7 +15,7 @@ void EnergyAccount::begin() {
 void EnergyAccount::before_step(double kick) {
   power_before_ = contacts_.power_before();
   input_ += kick * (forces_.element_power().fed + contacts_.fed_power());
-  spent_.in_cords += kick * forces_.element_power().dissipated;
+  spent_.in_cords += kick * (forces_.element_power().dissipated + forces_.line_power());
   spent_.at_hinges += kick * forces_.hinge_power();
   ropes_change_ = elements_.ropes().energy_change(state_.coordinates, state_.velocities);
 }
@@ -67,7 +67,8 @@ EnergyAudit EnergyAccount::make_audit() {
   EnergyAudit result;
   result.kinetic = kinetic_energy(velocity) + flow.kinetic;
   result.aliased = integrator_.aliased_energy(velocity);
-  result.strain = forces_.with_hinge_energy(forces_.wrinkling_energy() + element_states_.strain_energy());
+  result.strain =
+      forces_.line_energy() + forces_.with_hinge_energy(forces_.wrinkling_energy() + element_states_.strain_energy());
   const SystemContacts::Power before = contacts_.power_before(), after = contact_power_after(state_.last_step);
   // Energy of the first half of the step that the forces act for, at most that of the whole step. Where a contact
   // rebounds within the step, its first half alone dissipates more than the whole.
@@ -76,7 +77,7 @@ EnergyAudit EnergyAccount::make_audit() {
   };
   result.contact = contacts_.stored_energy();
   result.spent = spent_;
-  result.spent.in_cords += half_kick * forces_.element_power().dissipated;
+  result.spent.in_cords += half_kick * (forces_.element_power().dissipated + forces_.line_power());
   result.spent.at_hinges += half_kick * forces_.hinge_power();
   result.spent.in_contacts += first_half(before.damping, after.damping);
   result.spent.by_friction += first_half(before.friction, after.friction);

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "engine/dynamics/joints/hinge_forces.h"
+#include "engine/dynamics/joints/line_forces.h"
 #include "engine/math/instruction_set.h"
 
 namespace netpocket {
@@ -86,6 +87,7 @@ void SystemForces::compute(double dt) {
     applied_.clear();
     for (Wrench& wrench : wrenches_) wrench = Wrench{};
     add_hinges(times.kick);
+    add_lines();
     wrinkling_.add_forces(state_.coordinates, applied_);
     RopeDynamics& ropes = elements_.ropes();
     if (!ropes.empty()) {
@@ -149,6 +151,19 @@ void SystemForces::add_hinges(double kick) {
   for (std::size_t b = 0; b < wrenches_.size(); ++b) wrenches_[b].torque += hinge_torques_[b].total();
 }
 
+void SystemForces::add_lines() {
+  line_power_ = 0;
+  for (const TensionLine& line : model_.lines) {
+    const std::int32_t first = state_.layout.position(line.node1), second = state_.layout.position(line.node2);
+    const LineForces pull = line_forces(line, state_.coordinates.get(second) - state_.coordinates.get(first),
+                                        state_.velocities.get(second) - state_.velocities.get(first));
+    if (pull.tension == 0) continue;
+    applied_.add(first, pull.on_node1);
+    applied_.add(second, -pull.on_node1);
+    line_power_ += pull.dissipated_power;
+  }
+}
+
 // Adds the forces on a body's attachments, from elements and applied forces, to the body's wrench.
 void SystemForces::add_attachments(std::size_t body) {
   const std::span<const std::int32_t> blocks = attached_blocks_[body];
@@ -194,6 +209,18 @@ double SystemForces::with_hinge_energy(double energy) const {
         hinge.body >= 0 ? state_.bodies[hinge.body].rigid().rotation() : Eigen::Matrix3d::Identity();
     energy += hinge_forces(hinge, state_.coordinates.get(state_.layout.gradient(hinge.gradient1)),
                            state_.coordinates.get(state_.layout.gradient(hinge.gradient2)), zero, zero, axes, zero)
+                  .energy;
+  }
+  return energy;
+}
+
+double SystemForces::line_energy() const {
+  double energy = 0;
+  for (const TensionLine& line : model_.lines) {
+    energy += line_forces(line,
+                          state_.coordinates.get(state_.layout.position(line.node2)) -
+                              state_.coordinates.get(state_.layout.position(line.node1)),
+                          Eigen::Vector3d::Zero())
                   .energy;
   }
   return energy;

@@ -1,5 +1,5 @@
 #pragma once
-// All forces of a system at its present state: elements, hinges, wrinkling, ropes, contacts, gravity and loads.
+// All forces of a system at its present state: elements, hinges, lines, wrinkling, ropes, contacts, gravity and loads.
 // Internal to this room.
 
 #include <cstdint>
@@ -45,9 +45,10 @@ class SystemForces {
   update_kernel::UpdateView view() const;
   int block_count() const { return assembly_.block_count(); }
 
-  // Powers (W) at the present state: of the elements; of the hinges' dampers.
+  // Powers (W) at the present state: of the elements; of the dampers of hinges and of lines.
   const BatchPower& element_power() const { return element_power_; }
   double hinge_power() const { return hinge_power_; }
+  double line_power() const { return line_power_; }
   // Counts of the hinges' safeguards in the present forces.
   const SafeguardCounts& hinge_safeguards() const { return hinge_safeguards_; }
 
@@ -55,6 +56,7 @@ class SystemForces {
   double wrinkling_energy() const { return wrinkling_.energy(state_.coordinates); }  // J
   // `energy` (J) plus that of the hinges.
   double with_hinge_energy(double energy) const;
+  double line_energy() const;  // J
   // Work (J) of gravity and constant loads, up to an additive constant.
   double load_work() const;
 
@@ -63,6 +65,7 @@ class SystemForces {
   template <typename Meanwhile>
   void add_elements(const Meanwhile& meanwhile);
   void add_hinges(double kick);
+  void add_lines();
   void add_attachments(std::size_t body);
   void add_gravity(std::size_t body);
   void sum(std::span<const std::int32_t> coordinate_blocks, double* rows) const;
@@ -85,7 +88,7 @@ class SystemForces {
   AlignedVector<double> attached_forces_;  // on the attached blocks of one body
   BatchPower element_power_;
   std::vector<BatchPower> chunk_power_;
-  double hinge_power_ = 0;
+  double hinge_power_ = 0, line_power_ = 0;
   SafeguardCounts hinge_safeguards_;
   std::vector<SectorSum<Eigen::Vector3d>> hinge_torques_;  // N m, by body
   std::int64_t version_ = -1;                              // of the state that forces are for

@@ -1,0 +1,53 @@
+#pragma once
+// The parameters of the thrown net as plain numbers. The parameter table (thrown_net_parameters.cpp) declares each with
+// its TOML key, unit, limits, help and source. SI units. The net is thrown along +Y from the spacecraft's +y face.
+
+#include <string_view>
+
+#include "engine/scenario/scenario.h"
+
+namespace netpocket {
+
+struct SystemParameters;
+
+inline constexpr std::string_view kThrownNetSystem = "thrown_net";
+
+enum class DrawstringStart { never, time, contact };
+
+struct ThrownNetParameters {
+  // Table "net": a square net of equal meshes.
+  double side;            // m
+  int cells;              // meshes along a side
+  int elements_per_side;  // cable elements on a side of a mesh
+  CordParameters cord;    // of the meshes
+  // Table "throw".
+  double corner_mass;             // kg, each
+  double corner_thread;           // m, from a corner of the net to its mass
+  double corner_thread_diameter;  // m
+  double speed;                   // m/s, of the corner masses at the start
+  double angle;                   // rad, between their velocities and the axis, outwards
+  double spin;                    // rad/s, of net and masses about the axis at the start
+  double folding;                 // size of the folded net by that of the net
+  double gap;                     // m, from the spacecraft's face to the folded net
+  bool recoil;                    // whether the spacecraft takes the opposite momentum
+  // Table "tether", from the middle of the net to the spacecraft.
+  bool tethered;
+  double tether_length;  // m
+  int tether_elements;
+  CordParameters tether;
+  // Table "drawstring", round the perimeter.
+  DrawstringStart draws_at;
+  ClosingParameters drawstring;  // by side of the net; `start` of `draws_at`
+  double draw_delay;             // s, from the first contact, for draws_at = contact
+  CordParameters drawstring_cord;
+
+  bool has_drawstring() const { return draws_at != DrawstringStart::never; }
+};
+
+// The parameters of a scenario of the system "thrown_net".
+ThrownNetParameters thrown_net_parameters(const Scenario& scenario);
+
+// What scenarios of this system consist of (system_parameters.h).
+const SystemParameters& thrown_net_system_parameters();
+
+}  // namespace netpocket

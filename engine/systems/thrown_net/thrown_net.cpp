@@ -1,0 +1,245 @@
+#include "engine/systems/thrown_net/thrown_net.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <variant>
+
+#include "engine/math/elementary.h"
+#include "engine/math/rotation.h"
+#include "engine/scenario/target_shape.h"
+#include "engine/systems/pocket/materials.h"
+
+namespace netpocket {
+namespace {
+
+enum class NetGroup : std::int32_t { cords, corner_threads, drawstring, tether };
+
+// The tether starts this far in front of the spacecraft's face, so that its end does not touch it.
+constexpr double kEye = 0.02;  // m
+
+class ThrownNetBuilder {
+ public:
+  explicit ThrownNetBuilder(const Scenario& scenario)
+      : scenario_(scenario),
+        given_(thrown_net_parameters(scenario)),
+        model_(net_.model),
+        face_(scenario.spacecraft.position + Eigen::Vector3d(0, 0.5 * scenario.spacecraft.size.y(), 0)) {}
+
+  ThrownNet build() {
+    net_.cells = given_.cells;
+    net_.side = given_.side;
+    model_.contact = {.restitution = scenario_.contact.restitution,
+                      .friction = scenario_.contact.friction,
+                      .friction_velocity = scenario_.contact.friction_velocity,
+                      .cords = scenario_.contact.cords,
+                      .bodies = scenario_.contact.bodies};
+    model_.gravity = scenario_.solver.gravity;
+    model_.element_groups = {{"net", "the net", CableLook::cord},
+                             {"corner threads", "a corner thread", CableLook::cord},
+                             {"drawstring", "the drawstring", CableLook::rope},
+                             {"tether", "the tether", CableLook::rope}};
+    add_bodies();
+    add_knots();
+    add_cords();
+    add_corner_masses();
+    if (given_.tethered) add_tether();
+    throw_net();
+    return std::move(net_);
+  }
+
+ private:
+  // A straight chain from node to node, folded: its material is `length` long and its slopes are chord/length.
+  std::vector<std::int32_t> add_chain(const std::vector<std::int32_t>& stops, int per_stop, double length,
+                                      std::int32_t material, NetGroup group, const std::string& name);
+  std::int32_t add_inner_node(std::int32_t from, std::int32_t to, double part);
+  void add_bodies();
+  void add_knots();
+  void add_cords();
+  void add_side(const std::vector<std::int32_t>& stops, const std::string& name);
+  void add_corner_masses();
+  void add_tether();
+  void throw_net();
+
+  const Scenario& scenario_;
+  ThrownNetParameters given_;
+  ThrownNet net_;
+  Model& model_;
+  Eigen::Vector3d face_;  // m, middle of the spacecraft's +y face
+  std::int32_t cord_ = 0, drawstring_ = 0;
+};
+
+std::int32_t ThrownNetBuilder::add_inner_node(std::int32_t from, std::int32_t to, double part) {
+  const Eigen::Vector3d begin = model_.nodes[static_cast<std::size_t>(from)].position;
+  const Eigen::Vector3d end = model_.nodes[static_cast<std::size_t>(to)].position;
+  return model_.add_node((1 - part) * begin + part * end);
+}
+
+std::vector<std::int32_t> ThrownNetBuilder::add_chain(const std::vector<std::int32_t>& stops, int per_stop,
+                                                      double length, std::int32_t material, NetGroup group,
+                                                      const std::string& name) {
+  const auto place = [&](std::int32_t node) { return model_.nodes[static_cast<std::size_t>(node)].position; };
+  const Eigen::Vector3d slope = (place(stops.back()) - place(stops.front())) / length;
+  const std::int32_t thread = model_.add_thread(name);
+  const double element_length = length / static_cast<double>((stops.size() - 1) * static_cast<std::size_t>(per_stop));
+  std::vector<std::int32_t> elements;
+  std::int32_t node = stops.front(), gradient = model_.add_gradient(node, slope);
+  for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
+    for (int k = 1; k <= per_stop; ++k) {
+      const std::int32_t next =
+          k == per_stop ? stops[i + 1] : add_inner_node(stops[i], stops[i + 1], static_cast<double>(k) / per_stop);
+      const std::int32_t next_gradient = model_.add_gradient(next, slope);
+      elements.push_back(model_.add_element({.node1 = node,
+                                             .gradient1 = gradient,
+                                             .node2 = next,
+                                             .gradient2 = next_gradient,
+                                             .length = element_length,
+                                             .material = material,
+                                             .group = static_cast<std::int32_t>(group),
+                                             .thread = thread}));
+      node = next;
+      gradient = next_gradient;
+    }
+  }
+  return elements;
+}
+
+void ThrownNetBuilder::add_bodies() {
+  const SpacecraftParameters& craft = scenario_.spacecraft;
+  const TargetParameters& target = scenario_.target;
+  auto shape = target_shape(scenario_);
+  if (const auto* problem = std::get_if<Diagnostic>(&shape)) throw std::runtime_error(problem->text());
+  const Shape& of_target = std::get<Shape>(shape);
+  net_.spacecraft = model_.add_body({.name = "spacecraft",
+                                     .role = BodyRole::spacecraft,
+                                     .shape = Box{craft.size},
+                                     .mass = craft.mass,
+                                     .inertia = craft.inertia.asDiagonal(),
+                                     .state = {.position = craft.position},
+                                     .touches_cables = scenario_.contact.spacecraft});
+  net_.target = model_.add_body({.name = "target",
+                                 .role = BodyRole::target,
+                                 .shape = of_target,
+                                 .mass = target.mass,
+                                 .inertia = target_inertia(target, of_target),
+                                 .state = {.position = target.position,
+                                           .attitude = rotation_by(target.attitude),
+                                           .velocity = target.velocity,
+                                           .angular_velocity = target.spin},
+                                 .youngs_modulus = target.youngs_modulus,
+                                 .poisson_ratio = target.poisson_ratio});
+}
+
+void ThrownNetBuilder::add_knots() {
+  const double size = given_.folding * given_.side;
+  for (int row = 0; row <= given_.cells; ++row) {
+    for (int column = 0; column <= given_.cells; ++column) {
+      const Eigen::Vector3d place(size * (static_cast<double>(column) / given_.cells - 0.5), given_.gap,
+                                  size * (static_cast<double>(row) / given_.cells - 0.5));
+      net_.knots.push_back(model_.add_node(face_ + place));
+    }
+  }
+}
+
+// The outermost rows and columns are the net's sides.
+void ThrownNetBuilder::add_cords() {
+  cord_ = model_.add_material(cord_material(given_.cord));
+  if (given_.has_drawstring()) drawstring_ = model_.add_material(cord_material(given_.drawstring_cord));
+  int side = 0;
+  for (int line = 0; line <= given_.cells; ++line) {
+    std::vector<std::int32_t> row, column;
+    for (int i = 0; i <= given_.cells; ++i) {
+      row.push_back(net_.knot(line, i));
+      column.push_back(net_.knot(i, line));
+    }
+    const bool is_side = line == 0 || line == given_.cells;
+    for (const auto& [stops, name] :
+         {std::pair(row, fmt::format("row {}", line + 1)), {column, fmt::format("column {}", line + 1)}}) {
+      if (is_side && given_.has_drawstring()) {
+        add_side(stops, fmt::format("drawstring {}", ++side));
+        continue;
+      }
+      const auto elements = add_chain(stops, given_.elements_per_side, given_.side, cord_, NetGroup::cords, name);
+      net_.net_elements.insert(net_.net_elements.end(), elements.begin(), elements.end());
+    }
+  }
+}
+
+// A side whose cord is drawstring: a rope that winches at the net's corners wind in.
+void ThrownNetBuilder::add_side(const std::vector<std::int32_t>& stops, const std::string& name) {
+  VariableRope rope;
+  rope.elements = add_chain(stops, given_.elements_per_side, given_.side, drawstring_, NetGroup::drawstring, name);
+  rope.motion.length = given_.side;
+  model_.ropes.push_back(std::move(rope));
+}
+
+void ThrownNetBuilder::add_corner_masses() {
+  const int last = given_.cells;
+  CordParameters thread = given_.cord;
+  thread.diameter = given_.corner_thread_diameter;
+  const std::int32_t material = given_.corner_thread > 0 ? model_.add_material(cord_material(thread)) : 0;
+  const double mesh = given_.side / given_.cells;
+  const int count = std::max(1, static_cast<int>(std::lround(given_.corner_thread / mesh))) * given_.elements_per_side;
+  int number = 0;
+  for (const std::int32_t corner : {net_.knot(0, 0), net_.knot(0, last), net_.knot(last, last), net_.knot(last, 0)}) {
+    const Eigen::Vector3d place = model_.nodes[static_cast<std::size_t>(corner)].position;
+    const Eigen::Vector3d out = Eigen::Vector3d(place.x() - face_.x(), 0, place.z() - face_.z()).normalized();
+    std::int32_t mass = corner;
+    if (given_.corner_thread > 0) {
+      mass = model_.add_node(place + given_.folding * given_.corner_thread * out);
+      add_chain({corner, mass}, count, given_.corner_thread, material, NetGroup::corner_threads,
+                fmt::format("corner thread {}", ++number));
+    }
+    ModelNode& node = model_.nodes[static_cast<std::size_t>(mass)];
+    node.point_mass = given_.corner_mass;
+    node.velocity = given_.speed * (sine(given_.angle) * out + cosine(given_.angle) * Eigen::Vector3d::UnitY());
+    net_.corner_masses.push_back(mass);
+  }
+  model_.node_groups = {{kCornerMasses, NodeLook::reel, net_.corner_masses}};
+}
+
+void ThrownNetBuilder::add_tether() {
+  const std::int32_t eye = model_.add_node(face_ + Eigen::Vector3d(0, std::min(kEye, 0.5 * given_.gap), 0));
+  const std::int32_t middle = net_.knot(given_.cells / 2, given_.cells / 2);
+  const std::int32_t material = model_.add_material(cord_material(given_.tether));
+  const auto elements =
+      add_chain({eye, middle}, given_.tether_elements, given_.tether_length, material, NetGroup::tether, "tether");
+  net_.tether_end = elements.front();
+  model_.nodes[static_cast<std::size_t>(eye)].support = Support::body;
+  model_.nodes[static_cast<std::size_t>(eye)].body = net_.spacecraft;
+}
+
+// Spin and recoil: everything that is free turns about the axis; the spacecraft has the opposite momenta.
+void ThrownNetBuilder::throw_net() {
+  std::vector<double> mass;
+  for (const ModelNode& node : model_.nodes) mass.push_back(node.point_mass);
+  for (const ModelElement& element : model_.elements) {
+    const double half =
+        0.5 * model_.materials[static_cast<std::size_t>(element.material)].section.mass_per_length * element.length;
+    for (const std::int32_t node : {element.node1, element.node2}) mass[static_cast<std::size_t>(node)] += half;
+  }
+  const Eigen::Vector3d spin(0, given_.spin, 0);
+  ModelBody& craft = model_.bodies[static_cast<std::size_t>(net_.spacecraft)];
+  Eigen::Vector3d momentum = Eigen::Vector3d::Zero(), angular_momentum = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < model_.nodes.size(); ++i) {
+    ModelNode& node = model_.nodes[i];
+    if (node.support != Support::free) continue;
+    const Eigen::Vector3d arm = node.position - craft.state.position;
+    node.velocity += spin.cross(arm);
+    momentum += mass[i] * node.velocity;
+    angular_momentum += mass[i] * arm.cross(node.velocity);
+  }
+  for (ModelGradient& gradient : model_.gradients) gradient.rate = spin.cross(gradient.value);
+  if (!given_.recoil) return;
+  craft.state.velocity = -momentum / craft.mass;
+  craft.state.angular_velocity = -(craft.inertia.inverse() * angular_momentum);
+}
+
+}  // namespace
+
+ThrownNet build_thrown_net(const Scenario& scenario) { return ThrownNetBuilder(scenario).build(); }
+
+}  // namespace netpocket

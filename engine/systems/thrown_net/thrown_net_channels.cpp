@@ -1,0 +1,74 @@
+#include "engine/systems/thrown_net/thrown_net_channels.h"
+
+#include <algorithm>
+
+namespace netpocket {
+namespace {
+
+Eigen::Matrix3Xd start_positions(const Model& model) {
+  Eigen::Matrix3Xd positions(3, static_cast<Eigen::Index>(model.nodes.size()));
+  for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+    positions.col(static_cast<Eigen::Index>(i)) = model.nodes[i].position;
+  }
+  return positions;
+}
+
+}  // namespace
+
+ThrownNetChannels::ThrownNetChannels(const ThrownNet& net)
+    : infos_(common_channels(true, true)),
+      first_own_(infos_.size()),
+      surface_(net.knots, net.cells),
+      own_area_(net.side * net.side),
+      start_(surface_.centre(start_positions(net.model))),
+      target_(net.target),
+      corner_masses_(net.corner_masses),
+      net_elements_(net.net_elements),
+      tether_end_(net.tether_end),
+      has_drawstring_(!net.model.ropes.empty()) {
+  // In the order of `fill`.
+  infos_.push_back({"net_area", "m^2", "area of the net: the sum over triangles between its knots"});
+  infos_.push_back({"net_area_part", "1", "that area by the flat net's"});
+  infos_.push_back({"mouth_area", "m^2", "area that the net's perimeter encloses, as a vector's magnitude"});
+  infos_.push_back({"net_distance", "m", "distance along Y that the middle of the net's knots has flown"});
+  infos_.push_back({"corner_speed", "m/s", "speed of the corner masses, mean"});
+  infos_.push_back(channel_info(Channel::rope_tension_max));
+  infos_.push_back({"enclosure", "1", "part of all directions from the target's centre that the net covers"});
+  infos_.push_back({"wrapped", "1", "1 while that is more than half: the net reaches beyond the target's centre"});
+  if (tether_end_ >= 0) infos_.push_back({"tether_tension", "N", "tension of the tether at the spacecraft"});
+  if (!has_drawstring_) return;
+  infos_.push_back({"drawstring_length", "m", "length of a side's drawstring outside the winches"});
+  infos_.push_back({"drawstring_tension", "N", "tension of the drawstring, mean over its sides"});
+}
+
+double ThrownNetChannels::corner_speed(const Snapshot& snapshot) const {
+  double sum = 0;
+  for (const std::int32_t node : corner_masses_) sum += snapshot.velocities.col(node).norm();
+  return sum / static_cast<double>(corner_masses_.size());
+}
+
+void ThrownNetChannels::fill(const CableSystem& system, Snapshot& snapshot) const {
+  auto out = snapshot.channels.begin() + static_cast<std::ptrdiff_t>(first_own_);
+  const double area = surface_.area(snapshot.positions);
+  const double enclosure =
+      surface_.enclosure(snapshot.positions, snapshot.bodies[static_cast<std::size_t>(target_)].position);
+  double largest = 0;
+  for (const std::int32_t element : net_elements_) largest = std::max(largest, snapshot.tension[element]);
+  *out++ = area;
+  *out++ = area / own_area_;
+  *out++ = surface_.mouth_area(snapshot.positions);
+  *out++ = (surface_.centre(snapshot.positions) - start_).y();
+  *out++ = corner_speed(snapshot);
+  *out++ = largest;
+  *out++ = enclosure;
+  *out++ = enclosure > 0.5 ? 1 : 0;
+  if (tether_end_ >= 0) *out++ = snapshot.tension[tether_end_] + 0.0;  // a slack one has -0
+  if (!has_drawstring_) return;
+  const std::size_t sides = system.model().ropes.size();
+  double tension = 0;
+  for (std::size_t rope = 0; rope < sides; ++rope) tension += system.rope_tension(static_cast<std::int32_t>(rope));
+  *out++ = system.rope_motion(0).length;
+  *out++ = tension / static_cast<double>(sides);
+}
+
+}  // namespace netpocket
