@@ -34,7 +34,7 @@ ThrownNetChannels::ThrownNetChannels(const ThrownNet& net)
   infos_.push_back({"corner_speed", "m/s", "speed of the corner masses, mean"});
   infos_.push_back(channel_info(Channel::rope_tension_max));
   infos_.push_back({"enclosure", "1", "part of all directions from the target's centre that the net covers"});
-  infos_.push_back({"wrapped", "1", "1 while that is more than half: the net reaches beyond the target's centre"});
+  infos_.push_back({"captured", "1", "1 while that is more than half: the net holds the target (our measure)"});
   if (tether_end_ >= 0) infos_.push_back({"tether_tension", "N", "tension of the tether at the spacecraft"});
   if (!has_drawstring_) return;
   infos_.push_back({"drawstring_length", "m", "length of a side's drawstring outside the winches"});
