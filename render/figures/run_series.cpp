@@ -18,6 +18,8 @@ void RunSeries::begin(std::shared_ptr<const ChannelList> list) {
 
 void RunSeries::append(const std::vector<double>& values) {
   for (std::size_t i = 0; i < channels.size(); ++i) channels[i].push_back(values[i]);
+  // Phases that begin with events are known once they have come.
+  if (const auto phase = channel_list->find(kPhaseChannel)) phases = phases_of_channel(times(), channels[*phase]);
 }
 
 RunSeries run_series(const Recording& recording) {

@@ -56,8 +56,9 @@ CaptureSystem build_thrown_net_system(const Scenario& scenario) {
   system.spacecraft = net.spacecraft;
   system.target = net.target;
   system.structure = net.model.structure();
-  add_net_channels(system, ThrownNetChannels(net),
-                   ControlChannels(nullptr, winches, waits_for_events(scenario) ? times : nullptr, net.spacecraft));
+  add_net_channels(
+      system, ThrownNetChannels(net),
+      ControlChannels(nullptr, winches, nullptr, waits_for_events(scenario) ? times : nullptr, net.spacecraft));
   system.model = std::move(net.model);
   return system;
 }

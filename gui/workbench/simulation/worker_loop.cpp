@@ -188,8 +188,11 @@ void WorkerLoop::advance() {
   if (!running_ || simulation_->time() < end - kRounding) return;
   running_ = false;
   const bool finished = simulation_->time() >= simulation_->scenario().output.end_time - kRounding;
-  report_state(finished ? WorkerState::ended : WorkerState::paused,
-               {RunReason::finished, simulation_->time(), "reached the end time"});
+  if (finished) {
+    report_state(WorkerState::ended, finished_run(*simulation_));
+  } else {
+    report_state(WorkerState::paused, {RunReason::finished, simulation_->time(), "reached the time asked for"});
+  }
 }
 
 void WorkerLoop::report_frame() {

@@ -46,5 +46,26 @@ TEST(RunSeries, HasTheChannelsAndPhasesOfTheRecording) {
   EXPECT_EQ(plot_figures(runs, directory).size(), 7u);
 }
 
+TEST(RunSeries, PhasesThatBeginWithEventsFollowTheFrames) {
+  std::vector<ChannelInfo> infos(known_channels()->begin(), known_channels()->end());
+  infos.push_back({kPhaseChannel, "1", "phase of the capture"});
+  RunSeries series;
+  series.begin(std::make_shared<const ChannelList>(infos));
+  const auto append = [&](double time, double phase) {
+    std::vector<double> values(infos.size(), 0.0);
+    values[series.channel_list->find(Channel::time).value()] = time;
+    values.back() = phase;
+    series.append(values);
+  };
+  append(0, 0);
+  append(1, 0);
+  EXPECT_TRUE(std::isnan(phase_begin(series.phases, kClosing)));
+  append(2, 1);
+  EXPECT_EQ(phase_begin(series.phases, kClosing), 2);
+  EXPECT_FALSE(std::isfinite(phase_end(series.phases, kClosing)));
+  append(3, 2);
+  EXPECT_EQ(phase_end(series.phases, kClosing), 3);
+}
+
 }  // namespace
 }  // namespace netpocket
