@@ -100,7 +100,7 @@ constexpr std::array kControlParameters = {
 
 constexpr std::array kControllerRows = {
     item_parameter<kControllers, &Controller::kind>("controller.kind", kNone, "", "what it controls, and how; of the spacecraft", kChoice),
-    item_parameter<kControllers, &Controller::phase>("controller.phase", kNone, "", "phase of the capture in which it acts; off: never", kChoice),
+    item_parameter<kControllers, &Controller::phase>("controller.phase", kNone, "", "phase of the capture in which it acts", kChoice),
     item_parameter<kControllers, &Controller::rate>("controller.rate", above(0, 1e4), "Hz", "rate of its samples; its demand is held in between", kAssumption),
     item_parameter<kControllers, &Controller::attitude>("controller.attitude", within(-10, 10), "rad", "attitude: wanted rotation vector from world to body axes", kChoice),
     item_parameter<kControllers, &Controller::position>("controller.position", within(-1e4, 1e4), "m", "position: wanted place of the centre of mass, from its place at the start", kChoice),

@@ -12,6 +12,8 @@ PAGES = {
     "scenarios/REFERENCE.md": "reference/parameters.md",
     "scenarios/studies/README.md": "reference/studies.md",
     "scenarios/FINDINGS.md": "reference/findings.md",
+    "scenarios/CONTROL_FINDINGS.md": "reference/control_findings.md",
+    "scenarios/CAPTURE.md": "reference/capture.md",
     "engine/THEORY.md": "reference/model.md",
     "engine/recording/FORMAT.md": "reference/recordings.md",
     "engine/python/README.md": "reference/python.md",

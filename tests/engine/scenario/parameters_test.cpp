@@ -164,7 +164,9 @@ TEST(ParameterTable, RoundTripsThroughTextToTheLastBit) {
   RandomValues values;
   for (int i = 0; i < 200; ++i) {
     Scenario written;
-    for (const Parameter& p : parameters()) p.set(written, values.draw(p));
+    for (const Parameter& p : parameters()) {
+      if (p.key != "system") p.set(written, values.draw(p));  // another system has other parameters
+    }
     const std::string text = write_scenario_text(written);
     const ScenarioResult read = read_scenario_text(text, "round trip");
     ASSERT_TRUE(read.ok()) << read.diagnostics.text() << "\n" << text;
