@@ -71,12 +71,8 @@ void SphereTouches::add(std::int32_t block, const sphere_kernel::SpherePlaces& p
   for (std::int32_t place = 0; place < kPlaces; ++place) {
     const TouchRows& rows = places.holder[place];
     std::uint32_t touching = 0;
-    for (int lane = 0; lane < kBlockSize; ++lane) {
-      touching |= static_cast<std::uint32_t>(rows.depth[lane] > 0) << lane;
-    }
-    touching &= lanes;
-    for_each_lane_of(touching, [&](int lane) {
-      if (!(rows.share[lane] > 0)) touching &= ~(1U << lane);
+    for_each_lane_of(lanes, [&](int lane) {
+      if (rows.depth[lane] > 0 && rows.share[lane] > 0) touching |= 1U << lane;
     });
     if (touching != 0) add_place(block, place, rows, touching);
   }
