@@ -180,10 +180,15 @@ struct Simulation::Impl {
     return values;
   }
 
-  void set_state(std::span<const double> values) {
+  // Returns false if there are more or fewer numbers than the state has. It is not to be used then.
+  bool set_state(std::span<const double> values) {
     std::size_t next = 0;
-    visit_state([&](double& value) { value = values[next++]; });
+    visit_state([&](double& value) {
+      if (next < values.size()) value = values[next];
+      ++next;
+    });
     defect.clear();
+    return next == values.size();
   }
 
   void step() {
@@ -374,10 +379,11 @@ std::vector<std::string> Simulation::change_strategy(const Scenario& wanted) {
 std::vector<double> Simulation::checkpoint() const { return impl_->state(); }
 
 void Simulation::restore(std::span<const double> state) {
-  if (state.size() != checkpoint().size()) {
+  const std::vector<double> before = checkpoint();
+  if (!impl_->set_state(state)) {
+    impl_->set_state(before);
     throw std::invalid_argument("the saved state does not belong to this scenario: it has another size");
   }
-  impl_->set_state(state);
   impl_->sound_state.clear();
   if (const auto fault = impl_->system.fault()) {
     throw std::invalid_argument("the saved state does not belong to this scenario: " + *fault);

@@ -59,7 +59,7 @@ constexpr std::array<std::pair<Channel, std::string_view>, 7> kSafeguards = {
      {Channel::stopped_blows, "blows on bodies stopped"},
      {Channel::unresolved_contacts, "contacts too stiff for the step"},
      {Channel::stopped_cords, "cords kept from passing"},
-     {Channel::parted_overlaps, "overlaps parted"}}};
+     {Channel::parted_overlaps, "overlaps relaxed"}}};
 
 }  // namespace
 

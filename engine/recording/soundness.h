@@ -36,7 +36,7 @@ struct SafeguardCount {
 
 // Counts at the end of the run; empty when they were not recorded.
 std::vector<SafeguardCount> safeguard_counts(const RunData& run);
-// Safeguards that have acted, such as "steps shortened 120, overlaps parted 7", or that none has.
+// Safeguards that have acted, such as "steps shortened 120, overlaps relaxed 7", or that none has.
 std::string safeguards_text(const RunData& run);
 
 }  // namespace netpocket

@@ -67,7 +67,7 @@ std::vector<ChannelInfo> known() {
       {"stopped_blows", "1", "times so far that a cord was stopped at its greatest depth in a body", total},
       {"unresolved_contacts", "1", "times so far that a contact's spring was too stiff for the step", total},
       {"stopped_cords", "1", "times so far that a cord was kept from passing through another", total},
-      {"parted_overlaps", "1", "times so far that cords were found deeper in each other than springs are", total},
+      {"parted_overlaps", "1", "times so far that the spring between two cords began below the surface", total},
   };
 }
 

@@ -15,7 +15,7 @@ struct SafeguardCounts {
   std::int64_t stopped_blows = 0;        // cords stopped at their greatest depth in a body (contact_solver.h)
   std::int64_t unresolved_contacts = 0;  // cords on bodies whose spring is too stiff for the step (force_law.h)
   std::int64_t stopped_cords = 0;        // cords kept from passing through each other (cord_contact.h)
-  std::int64_t parted_overlaps = 0;      // cords in overlaps deeper than their springs reach (cord_contact.h)
+  std::int64_t parted_overlaps = 0;      // cords whose springs begin below the surface (cord_offsets.h)
 
   SafeguardCounts& operator+=(const SafeguardCounts& more) {
     shortened_steps += more.shortened_steps;

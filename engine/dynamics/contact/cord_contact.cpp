@@ -18,10 +18,8 @@ constexpr double kFloor = 0.25;
 // need moments that grow like 1/sine.
 constexpr double kLeastSine = 0.1;
 
-// Contacts may appear with a deep overlap, as where a cord that is tied to a rod folds along it. The spring would then
-// release energy that nothing has put in. Beyond the depth of an impact at kDeepImpact (m/s), contact therefore only
-// stops the approach and separates the two at kParting (m/s) at most.
-constexpr double kDeepImpact = 10, kParting = 0.1;
+// A spring yields beyond the depth of an impact at this speed (m/s): its energy is spent.
+constexpr double kDeepImpact = 10;
 
 ElementWeights difference(const ElementWeights& a, const ElementWeights& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] - b[3]};
@@ -159,10 +157,43 @@ void CordContact::look_around(const CoordinateVectors& coordinates, const std::v
   search_.update(coordinates, element_length, ahead_, loop);
 }
 
+CordOffsets::Capsule CordContact::capsule_of(std::int32_t element, std::int32_t segment) const {
+  constexpr std::int32_t kSegments = CordPolyline::kSegments;
+  const auto index = static_cast<std::size_t>(element);
+  const std::int32_t number = kSegments * element + segment;
+  CordOffsets::Capsule capsule{number, number - 1, number + 1};
+  if (segment == 0) capsule.before = previous_[index] < 0 ? -1 : kSegments * previous_[index] + kSegments - 1;
+  if (segment == kSegments - 1) capsule.after = next_[index] < 0 ? -1 : kSegments * next_[index];
+  return capsule;
+}
+
+// `entered`: depth (m) that the contact can have reached by the motion of the last step.
+void CordContact::set_offset(Contact& contact, const NearSegments& near, double entered) {
+  const CordOffsets::Capsule one = capsule_of(contact.side[0].element, near.first_segment);
+  const CordOffsets::Capsule other = capsule_of(contact.side[1].element, near.second_segment);
+  contact.place = CordOffsets::place_of(one, other);
+  contact.offset = offsets_.follow(one, other, contact.overlap(), entered);
+  relaxed_ += contact.offset > 0 ? 1 : 0;
+}
+
+// The next step finds a spring that yields relaxed at its present depth.
+double CordContact::note_step() {
+  double yielded = 0;
+  offsets_.begin_step();
+  for (const Contact& contact : contacts_) {
+    if (!(contact.overlap() > 0)) continue;
+    offsets_.note(contact.place, contact.yields() ? contact.overlap() : contact.offset);
+    if (contact.yields()) yielded += contact.stored_energy();
+  }
+  offsets_.end_step();
+  return yielded;
+}
+
 void CordContact::find(const CoordinateVectors& coordinates, const CoordinateVectors& velocities,
-                       const std::vector<double>& element_length, double dt, ContactedCoordinates& contacted) {
+                       const std::vector<double>& element_length, double last_step, double dt,
+                       ContactedCoordinates& contacted) {
   contacts_.clear();
-  partings_ = stops_ = 0;
+  relaxed_ = stops_ = 0;
   if (reference_step_ == 0) reference_step_ = dt;
   if (search_.near().empty()) return;
   vertices_.clear();
@@ -175,10 +206,13 @@ void CordContact::find(const CoordinateVectors& coordinates, const CoordinateVec
     test(near, coordinates, element_length);
     if (contacts_.size() > before) {
       // A contact that is still apart counts only if its approach must be stopped within the step.
-      const Contact& contact = contacts_.back();
-      const double speed = symmetric_dot(relative_velocity(contact, velocities).point, contact.normal);
+      Contact& contact = contacts_.back();
+      const Vector3d velocity = relative_velocity(contact, velocities).point;
+      const double speed = symmetric_dot(velocity, contact.normal);
       if (contact.distance > contact.reach && contact.distance + 2 * dt * speed > kFloor * contact.reach) {
         contacts_.pop_back();
+      } else {
+        set_offset(contact, near, 2 * symmetric_norm(velocity) * last_step);
       }
     }
     contact_of_near_.push_back(contacts_.size() > before ? static_cast<std::int32_t>(before) : -1);
@@ -232,18 +266,14 @@ void CordContact::set_forces(Contact& contact, const CoordinateVectors& velociti
   const NormalLaw law{contact.stiffness, damping_ * std::sqrt(contact.stiffness / w)};
   const double allowed_approach = std::max(contact.distance - kFloor * contact.reach, 0.0) / times.drift;
   const double stopping = (-allowed_approach - after_speed) / (times.kick * w);
-  contact.normal_force = stepped_normal_force(law, contact.reach - contact.distance, {before_speed, after_speed},
-                                              times.inertia_factor() * w, times.drift);
+  if (!contact.yields()) {
+    contact.normal_force = stepped_normal_force(law, contact.compression(), {before_speed, after_speed},
+                                                times.inertia_factor() * w, times.drift);
+    contact.elastic = normal_force({contact.stiffness, 0}, contact.compression(), 0);
+  }
   if (stopping > contact.normal_force) {
     ++stops_;
     contact.normal_force = stopping;
-  }
-  const double penetration = contact.reach - contact.distance;
-  if (penetration > contact.deepest) {
-    ++partings_;
-    contact.normal_force = std::clamp((kParting - after_speed) / (times.kick * w), 0.0, contact.normal_force);
-  } else {
-    contact.elastic = normal_force({contact.stiffness, 0}, penetration, 0);
   }
   if (!(contact.normal_force > 0)) return;
   const auto along = friction(contact, after, contacted, inverse_mass, w, times);
@@ -265,11 +295,10 @@ void CordContact::add_forces(const CoordinateVectors& velocities, const Contacte
   });
 }
 
-// A contact deeper than its spring stores only the energy of the spring at its greatest depth.
 double CordContact::stored_energy() const {
   double energy = 0;
   for (const Contact& contact : contacts_) {
-    energy += elastic_energy({contact.stiffness, 0}, std::min(contact.reach - contact.distance, contact.deepest));
+    energy += contact.stored_energy();
   }
   return energy;
 }
@@ -294,7 +323,7 @@ ContactDepth CordContact::deepest_part() const {
   ContactDepth deepest;
   const Contact* where = nullptr;
   for (const Contact& contact : contacts_) {
-    const double part = (contact.reach - contact.distance) / contact.reach;
+    const double part = contact.overlap() / contact.reach;
     if (!(part > deepest.part)) continue;
     deepest.part = part;
     where = &contact;

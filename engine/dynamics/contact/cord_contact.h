@@ -9,7 +9,7 @@
 // pair are balanced. Parallel cords would have to roll; they do so freely.
 //
 // Stiffness. At most what the run's first step resolves (resolved_stiffness). It is constant during the run, because
-// springs that hold energy must not change with the step.
+// springs that hold energy must not change with the step. Contacts that appear deep begin relaxed (cord_offsets.h).
 //
 // Least distance. Within a step no contact lets the axes come nearer to each other than a quarter of the sum of the
 // radii. A faster approach is stopped there, at the price of a slower rebound. So cords do not pass through each other
@@ -20,6 +20,7 @@
 // first. So a symmetric pocket stays symmetric to the last bit.
 
 #include <array>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -28,6 +29,7 @@
 #include "engine/dynamics/contact/contact_depth.h"
 #include "engine/dynamics/contact/contact_kernel.h"
 #include "engine/dynamics/contact/contacted_coordinates.h"
+#include "engine/dynamics/contact/cord_offsets.h"
 #include "engine/dynamics/contact/cord_pairs.h"
 #include "engine/dynamics/contact/cord_polyline.h"
 #include "engine/dynamics/contact/cord_search.h"
@@ -57,20 +59,24 @@ class CordContact {
                    double dt, const DividedLoop& loop);
 
   // Finds the contacts at this state and enters them in `contacted`. `element_length`: present material length by
-  // element (m). `dt`: the step (s) over which the forces will act.
+  // element (m). `last_step` and `dt`: the step (s) that led to this state, and the one over which the forces will act.
   void find(const CoordinateVectors& coordinates, const CoordinateVectors& velocities,
-            const std::vector<double>& element_length, double dt, ContactedCoordinates& contacted);
+            const std::vector<double>& element_length, double last_step, double dt, ContactedCoordinates& contacted);
 
   // Adds the forces of the contacts found to `applied`. The forces oppose the velocities that `contacted` predicts.
   void add_forces(const CoordinateVectors& velocities, const ContactedCoordinates& contacted,
                   std::span<const double> inverse_mass, const StepTimes& times, AppliedForces& applied);
 
+  // To be called when the step of the contacts found is taken. Returns the energy (J) of springs that yield in it.
+  double note_step();
+
   // Energy in the springs (J) at the state that find was given.
   double stored_energy() const;
   // Power that the contacts take out of the motion at these velocities, besides what their springs store.
   contact_kernel::ContactPower dissipated_power(const CoordinateVectors& velocities) const;
-  // Number of contacts in the last add_forces that are deeper than their springs (kDeepImpact in cord_contact.cpp).
-  std::int64_t partings() const { return partings_; }
+  // Number of contacts found that are relaxed: they have appeared deep in the overlap, or have been pressed beyond the
+  // greatest depth of their springs (kDeepImpact in cord_contact.cpp).
+  std::int64_t relaxed() const { return relaxed_; }
   // Number of contacts in the last add_forces whose approach was stopped within the step.
   std::int64_t stops() const { return stops_; }
   // The deepest overlap relative to the sum of the radii.
@@ -79,6 +85,9 @@ class CordContact {
   int count() const;
   // Sum of the normal forces, N.
   double total_normal_force() const;
+
+  // Gives every number of the state to `visit`, which may change it.
+  void visit_state(const std::function<void(double&)>& visit) { offsets_.visit_state(visit); }
 
  private:
   using Weights = ElementWeights;
@@ -99,10 +108,18 @@ class CordContact {
     Eigen::Vector3d normal;  // unit vector from the second to the first
     double distance;         // m, between the axes
     double reach;            // m, sum of the radii
-    double stiffness;        // K, N/m^1.5
-    double deepest;          // m, overlap beyond which the spring does not act
-    double normal_force;     // N
-    double elastic;          // N, of the spring alone
+    CordOffsets::Place place;
+    double stiffness;     // K, N/m^1.5
+    double offset;        // m, overlap at which the spring begins
+    double deepest;       // m, compression beyond which the spring yields
+    double normal_force;  // N
+    double elastic;       // N, of the spring alone
+
+    double overlap() const { return reach - distance; }
+    double compression() const { return overlap() - offset; }  // m, of the spring
+    bool yields() const { return compression() > deepest; }
+    // Energy in the spring, J. One that yields has not been pressed farther than its greatest depth.
+    double stored_energy() const { return elastic_energy({stiffness, 0}, std::min(compression(), deepest)); }
   };
   struct Velocities {  // m/s, of the first side relative to the second
     Eigen::Vector3d point;
@@ -112,7 +129,9 @@ class CordContact {
   bool is_least(const NearSegments& near, bool second, double fraction, const Eigen::Vector3d& separation,
                 const CoordinateVectors& coordinates, const std::vector<double>& element_length) const;
   void test(const NearSegments& near, const CoordinateVectors& coordinates, const std::vector<double>& element_length);
+  void set_offset(Contact& contact, const NearSegments& near, double entered);
   Side make_side(std::int32_t element, std::int32_t segment, double fraction, double length) const;
+  CordOffsets::Capsule capsule_of(std::int32_t element, std::int32_t segment) const;
   double material_stiffness(std::int32_t first, std::int32_t second) const;
   template <typename Vectors>
   Velocities relative_velocity(const Contact& contact, const Vectors& velocities) const;
@@ -131,12 +150,13 @@ class CordContact {
   double damping_;  // alpha of force_law.h
   double reference_step_ = 0;
   double ahead_ = 0;  // m, gap within which cords may need to be stopped in the coming step
-  std::int64_t partings_ = 0, stops_ = 0;
+  std::int64_t relaxed_ = 0, stops_ = 0;
   CordPolyline polyline_;
   CordPairs pairs_;
   CordSearch search_;
   std::vector<std::int32_t> previous_, next_;     // by element: the element before and after it on its cord, or -1
   std::vector<CordPolyline::Vertices> vertices_;  // by search_.near_elements()
+  CordOffsets offsets_;
   std::vector<Contact> contacts_;
   std::vector<std::int32_t> contact_of_near_;  // by search_.near(): index into contacts_, or -1
 };

@@ -124,7 +124,7 @@ void CableSystem::Impl::step(double dt) {
   const double kick = integrator.kick(dt);
   energies.before_step(kick);
   safeguards += forces.hinge_safeguards();
-  contacts.note_step(kick, safeguards);
+  energies.add_spent_in_contacts(contacts.note_step(kick, safeguards));
   const auto fastest = integrator.move(state.velocities, state.coordinates, kick, dt);
   energies.after_coordinates();
   elements.ropes().finish_step(dt);

@@ -70,10 +70,10 @@ EnergyAudit EnergyAccount::make_audit() {
   result.strain =
       forces_.line_energy() + forces_.with_hinge_energy(forces_.wrinkling_energy() + element_states_.strain_energy());
   const SystemContacts::Power before = contacts_.power_before(), after = contact_power_after(state_.last_step);
-  // Energy of the first half of the step that the forces act for, at most that of the whole step. Where a contact
-  // rebounds within the step, its first half alone dissipates more than the whole.
+  // Energy of the first half of the step that the forces act for, in which the power has changed by half of its change.
+  // At most that of the whole step: where a contact rebounds within the step, its first half alone dissipates more.
   const auto first_half = [half_kick](double power, double later) {
-    return std::clamp(half_kick * power, 0.0, std::max(half_kick * (power + later), 0.0));
+    return std::clamp(half_kick * (0.75 * power + 0.25 * later), 0.0, std::max(half_kick * (power + later), 0.0));
   };
   result.contact = contacts_.stored_energy();
   result.spent = spent_;

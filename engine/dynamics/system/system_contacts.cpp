@@ -51,7 +51,8 @@ void SystemContacts::find(double cord_speed, double dt) {
   contacted_.clear();
   with_bodies_.find(state_.coordinates, state_.velocities, elements_.batch(), state_.bodies, cord_speed, dt,
                     contacted_);
-  if (of_cords_) of_cords_->find(state_.coordinates, state_.velocities, elements_.lengths(), dt, contacted_);
+  if (of_cords_)
+    of_cords_->find(state_.coordinates, state_.velocities, elements_.lengths(), state_.last_step, dt, contacted_);
 }
 
 void SystemContacts::add_body_forces(const StepTimes& times, std::vector<Wrench>& wrenches) {
@@ -87,7 +88,7 @@ double SystemContacts::stored_energy() const {
   return energy;
 }
 
-void SystemContacts::note_step(double kick, SafeguardCounts& safeguards) {
+double SystemContacts::note_step(double kick, SafeguardCounts& safeguards) {
   for (std::size_t b = 0; b < impulses_.size(); ++b) {
     impulses_[b] += kick * with_bodies_.force_on(static_cast<std::int32_t>(b));
     if (of_bodies_) body_impulses_[b] += kick * of_bodies_->force_on(static_cast<std::int32_t>(b));
@@ -96,16 +97,22 @@ void SystemContacts::note_step(double kick, SafeguardCounts& safeguards) {
   safeguards.unresolved_contacts += with_bodies_.unresolved();
   depths_.penetration = std::max(depths_.penetration, with_bodies_.deepest_penetration());
   depths_.pressed.keep_deeper(with_bodies_.deepest_part());
-  if (!of_cords_) return;
+  if (!of_cords_) return 0;
   safeguards.stopped_cords += of_cords_->stops();
-  safeguards.parted_overlaps += of_cords_->partings();
+  safeguards.parted_overlaps += of_cords_->relaxed();
   depths_.overlapping.keep_deeper(of_cords_->deepest_part());
+  return of_cords_->note_step();
 }
 
 void SystemContacts::visit_impulses(const std::function<void(double&)>& visit) {
   for (Eigen::Vector3d& impulse : impulses_) {
     for (double& component : impulse) visit(component);
   }
+}
+
+void SystemContacts::visit_springs(const std::function<void(double&)>& visit) {
+  with_bodies_.visit_state(visit);
+  if (of_cords_) of_cords_->visit_state(visit);
 }
 
 void SystemContacts::visit_bodies(const std::function<void(double&)>& visit) {

@@ -69,8 +69,8 @@ class SystemContacts {
   double fed_power() const { return with_bodies_.fed_power(state_.coordinates, elements_.batch()); }
 
   // To be called in a step whose kick (s) applies the present forces: adds up impulses, counts safeguards, keeps
-  // depths.
-  void note_step(double kick, SafeguardCounts& safeguards);
+  // depths. Returns the energy (J) of springs that yield in the step.
+  double note_step(double kick, SafeguardCounts& safeguards);
 
   const ContactSolver& with_bodies() const { return with_bodies_; }
   const CordContact* of_cords() const { return of_cords_.get(); }    // null: cords pass through each other
@@ -83,7 +83,7 @@ class SystemContacts {
   // Give numbers of the state to `visit`, which may change them: the impulses from cords; the springs; what bodies do
   // to each other.
   void visit_impulses(const std::function<void(double&)>& visit);
-  void visit_springs(const std::function<void(double&)>& visit) { with_bodies_.visit_state(visit); }
+  void visit_springs(const std::function<void(double&)>& visit);
   void visit_bodies(const std::function<void(double&)>& visit);
 
  private:

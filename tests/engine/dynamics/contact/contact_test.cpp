@@ -130,6 +130,24 @@ TEST_F(VerificationContact, RestitutionOfARod) {
   }
 }
 
+// The audit in the middle of the step that stops a blow: what the first half of the step has taken is spent, not more.
+TEST_F(VerificationContact, AuditWhileABlowIsStopped) {
+  RodOnTable rod(1e7, 0.5, 0);
+  const double speed = 60;
+  for (ModelNode& node : rod.cable.model.nodes) node.velocity = {0, -speed, 0};
+  CableSystem system(rod.cable.model);
+  RodOnTable::hold(system);
+  const double dt = 0.5 * system.stable_step().step, kinetic = system.audit().kinetic;
+  double error = 0;
+  while (system.time() < 0.002) {
+    system.step(dt);
+    error = std::max(error, std::abs(system.audit().error));
+  }
+  ASSERT_GT(system.safeguards().stopped_blows, 0);
+  expect_below("energy error of any step while a blow of 60 m/s is stopped, of the kinetic energy", error / kinetic,
+               0.02, "a stop takes nearly all of it in one step; an eighth of that is what half a step is worth");
+}
+
 TEST_F(VerificationContact, RodAtRestOnATable) {
   const double modulus = 1e9;
   RodOnTable rod(modulus, 0.5, 0.4);

@@ -361,13 +361,48 @@ TEST_F(VerificationCordContact, NetsFallOnRodsAndOnEachOther) {
   EXPECT_GT(system.position(nets.upper).y(), 0.04);
 }
 
+// Moves the upper cord down into the lower one, which is 0.05 m below.
+void press_together(CableSystem& system, const CrossingCords& cords) {
+  std::vector<Vector3d> displacements(cords.model.nodes.size(), Vector3d::Zero());
+  for (const std::int32_t node : cords.upper) displacements[static_cast<std::size_t>(node)].y() = -0.0495;
+  system.displace(displacements);
+}
+
+// Nothing has pressed the two together, so nothing drives them apart.
+TEST(CordContactAccount, OverlapThatAppearsGivesNoEnergy) {
+  const CrossingCords cords(0);
+  CableSystem system(cords.model);
+  press_together(system, cords);
+  for (int i = 0; i < 200; ++i) system.step(0.5 * system.stable_step().step);
+  EXPECT_GT(system.safeguards().parted_overlaps, 0);
+  EXPECT_EQ(system.cord_contacts().count, 0);
+  EXPECT_LT(system.audit().kinetic, 1e-20);
+  EXPECT_EQ(system.audit().contact, 0);
+}
+
+// Springs yield where an impact is faster than 10 m/s. Steps are fine, so that the account has no error of its own.
+TEST(CordContactAccount, SpringsThatYieldSpendTheirEnergy) {
+  for (const double speed : {14.0, 20.0, 40.0}) {
+    const CrossingCords cords(speed);
+    CableSystem system(cords.model);
+    const double dt = 0.03 * system.stable_step().step;
+    double spent = 0;
+    while (system.time() < 0.1 / speed) {
+      system.step(dt);
+      const EnergyAudit audit = system.audit();
+      EXPECT_GE(audit.spent.in_contacts, spent * (1 - 1e-12));
+      spent = audit.spent.in_contacts;
+    }
+    EXPECT_GT(system.safeguards().parted_overlaps, 0);
+    EXPECT_LT(std::abs(system.audit().error), 0.05 * spent) << speed;
+  }
+}
+
 // Nothing holds cords that are deep in each other and fly apart by themselves, and that spends nothing.
 TEST(CordContactAccount, ClosesWhereDeepOverlapsPart) {
   const CrossingCords cords(-5);
   CableSystem system(cords.model);
-  std::vector<Vector3d> displacements(cords.model.nodes.size(), Vector3d::Zero());
-  for (const std::int32_t node : cords.upper) displacements[static_cast<std::size_t>(node)].y() = -0.0495;
-  system.displace(displacements);
+  press_together(system, cords);
   const double dt = 0.5 * system.stable_step().step;
   system.step(dt);
   EXPECT_GT(system.safeguards().parted_overlaps, 0);
