@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numbers>
 #include <string>
 
+#include "engine/math/elementary.h"
 #include "engine/scenario/check_scenario.h"
 #include "engine/scenario/system_parameters.h"
 
@@ -15,6 +17,7 @@ namespace {
 
 using namespace std::string_view_literals;
 
+constexpr std::array kNetShapes = {"square"sv, "hexagonal"sv, "radial"sv};
 constexpr std::array kDrawstringStarts = {"never"sv, "time"sv, "contact"sv};
 
 constexpr Limits within_limits(double least, double most) { return {least, most}; }
@@ -32,8 +35,16 @@ constexpr auto kUsers = "user's choice"sv;
 
 std::vector<Parameter> own_parameters() {
   return {
-      own_parameter("net.side", initial<22.0>, within_limits(0.1, 200), "m", "side of the square net", kZenit),
-      own_parameter("net.cells", initial<std::int64_t{22}>, within_limits(1, 100), "", "meshes along a side", kZenit),
+      own_parameter("net.shape", initial<Choice{0}>, {}, "",
+                    "square: square meshes; hexagonal: a hexagon of triangular meshes; radial: spokes and rings, as a "
+                    "spider's web",
+                    kUsers, kNetShapes),
+      own_parameter("net.side", initial<22.0>, within_limits(0.1, 200), "m",
+                    "side of the square or the hexagon; length of a spoke", kZenit),
+      own_parameter("net.cells", initial<std::int64_t{22}>, within_limits(1, 100), "",
+                    "meshes along a side; rings of a radial net", kZenit),
+      own_parameter("net.spokes", initial<std::int64_t{8}>, within_limits(3, 64), "",
+                    "of a radial net, with a mass at the end of each", kAssumed),
       own_parameter("net.elements_per_side", initial<std::int64_t{1}>, within_limits(1, 10), "",
                     "cable elements on a side of a mesh", kAssumed),
       own_parameter("net.diameter", initial<0.001>, within_limits(1e-5, 0.1), "m", "diameter of a cord", kZenit),
@@ -148,12 +159,12 @@ class ThrownNetChecker {
   }
 
   void check_size() {
-    const double elements = 2.0 * net_.cells * (net_.cells + 1) * net_.elements_per_side + net_.tether_elements;
+    const double elements = net_.elements_of_the_net() + net_.tether_elements;
     if (elements > kLargestElementCount) {
       add("net.cells",
           fmt::format("cells and elements make {:.3g} elements; {:.0f} are allowed", elements, kLargestElementCount));
     }
-    const double element = net_.side / (net_.cells * net_.elements_per_side);
+    const double element = net_.smallest_mesh_side() / net_.elements_per_side;
     if (element < net_.cord.diameter) {
       add("net.diameter", fmt::format("elements of {:.3g} m are shorter than the cord is thick", element));
     }
@@ -161,7 +172,7 @@ class ThrownNetChecker {
 
   void check_tether() {
     if (!net_.tethered) return;
-    if (net_.cells % 2 != 0) {
+    if (net_.shape == NetShape::square && net_.cells % 2 != 0) {
       add("net.cells", fmt::format("{} cells leave no knot in the middle for the tether; use an even number or "
                                    "tether.attached = false",
                                    net_.cells));
@@ -174,11 +185,12 @@ class ThrownNetChecker {
   void check_drawstring() {
     if (!net_.has_drawstring()) return;
     const double closed = net_.drawstring.closed_length;
-    if (closed >= net_.side) {
-      add("drawstring.closed_length",
-          fmt::format("must be shorter than the side of {} m, not {} m", net_.side, closed));
+    const double side = net_.side_of_perimeter();
+    if (closed >= side) {
+      add("drawstring.closed_length", fmt::format("must be shorter than the side of {:.6g} m, not {} m", side, closed));
     }
-    const double thick = net_.drawstring_cord.diameter * net_.cells * net_.elements_per_side;
+    const double elements = std::lround(side * net_.cells / net_.side) * net_.elements_per_side;
+    const double thick = net_.drawstring_cord.diameter * elements;
     if (closed < thick) {
       add("drawstring.closed_length",
           fmt::format("{} m have elements shorter than the drawstring is thick; at least {:.3g} m are needed", closed,
@@ -193,8 +205,9 @@ class ThrownNetChecker {
         add(key, "needs a winch.drive other than \"prescribed\", whose ropes follow the drawstring's law exactly");
       }
       for (const Eigen::Vector2d& row : rows) {
-        if (row.x() == 1 || row.x() == 2 || row.x() == 3 || row.x() == 4) continue;
-        add(key, fmt::format("the drawstring has the ropes 1 to 4, and {:g} is none of them", row.x()));
+        if (row.x() >= 1 && row.x() <= net_.corner_count() && row.x() == std::floor(row.x())) continue;
+        add(key, fmt::format("the drawstring has the ropes 1 to {}, and {:g} is none of them", net_.corner_count(),
+                             row.x()));
       }
     }
   }
@@ -238,11 +251,32 @@ bool acts_at_once_in_thrown_net(std::string_view key) {
 
 }  // namespace
 
+double ThrownNetParameters::side_of_perimeter() const {
+  return shape == NetShape::radial ? 2 * side * sine(std::numbers::pi / spokes) : side;
+}
+
+// The innermost ring of a radial net has the shortest sides.
+double ThrownNetParameters::smallest_mesh_side() const {
+  const double mesh = side / cells;
+  return shape == NetShape::radial ? std::min(mesh, side_of_perimeter() / cells) : mesh;
+}
+
+// A ring of a radial net has about as many elements as meshes of a spoke's go into its circumference.
+double ThrownNetParameters::elements_of_the_net() const {
+  const double n = cells;
+  const double of_square = 2 * n * (n + 1), of_hexagon = 9 * n * n + 3 * n;
+  if (shape != NetShape::radial) return elements_per_side * (shape == NetShape::square ? of_square : of_hexagon);
+  const double per_ring = std::max(1.0, side_of_perimeter() / side * 0.5 * (n + 1));
+  return elements_per_side * spokes * n * (1 + per_ring);
+}
+
 ThrownNetParameters thrown_net_parameters(const Scenario& scenario) {
   const OwnValues own(scenario);
   const auto draws_at = static_cast<DrawstringStart>(own.choice("drawstring.starts_at"));
-  ThrownNetParameters net{.side = own.number("net.side"),
+  ThrownNetParameters net{.shape = static_cast<NetShape>(own.choice("net.shape")),
+                          .side = own.number("net.side"),
                           .cells = own.integer("net.cells"),
+                          .spokes = own.integer("net.spokes"),
                           .elements_per_side = own.integer("net.elements_per_side"),
                           .cord = cord_of(own, "net"),
                           .corner_mass = own.number("throw.corner_mass"),
@@ -275,7 +309,7 @@ const SystemParameters& thrown_net_system_parameters() {
       .help = "Corner masses spread a thrown net that wraps the target; a drawstring closes it and a tether tows.",
       .shared_groups = {"spacecraft", "target", "contact", "towing", "winch"},
       .groups =
-          {{"net", "Net", "A square net of equal meshes, and its cords, which pull and do not push."},
+          {{"net", "Net", "A net of equal meshes, and its cords, which pull and do not push."},
            {"throw", "Throw", "The corner masses, and how the folded net starts along +Y."},
            {"tether", "Tether", "The line from the middle of the net to the spacecraft."},
            {"drawstring", "Drawstring",

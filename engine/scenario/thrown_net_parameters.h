@@ -13,11 +13,14 @@ struct SystemParameters;
 inline constexpr std::string_view kThrownNetSystem = "thrown_net";
 
 enum class DrawstringStart { never, time, contact };
+enum class NetShape { square, hexagonal, radial };
 
 struct ThrownNetParameters {
-  // Table "net": a square net of equal meshes.
-  double side;            // m
-  int cells;              // meshes along a side
+  // Table "net": how its cords run (net_pattern.h).
+  NetShape shape;
+  double side;            // m, of a square or a hexagon; the length of a spoke
+  int cells;              // meshes along a side; rings of a radial net
+  int spokes;             // of a radial net
   int elements_per_side;  // cable elements on a side of a mesh
   CordParameters cord;    // of the meshes
   // Table "throw".
@@ -42,6 +45,10 @@ struct ThrownNetParameters {
   CordParameters drawstring_cord;
 
   bool has_drawstring() const { return draws_at != DrawstringStart::never; }
+  int corner_count() const { return shape == NetShape::square ? 4 : shape == NetShape::hexagonal ? 6 : spokes; }
+  double side_of_perimeter() const;    // m
+  double smallest_mesh_side() const;   // m
+  double elements_of_the_net() const;  // number of cable elements
 };
 
 // The parameters of a scenario of the system "thrown_net".

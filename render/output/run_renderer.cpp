@@ -46,11 +46,14 @@ RunView completed(const Recording& recording, const RunView& view) {
   return complete;
 }
 
-// What is visible at the start and at the end: a view of it serves the whole run.
+// What is visible at the start, at the end and at moments between: a view of it serves the whole run. A thrown net is
+// largest in the middle of its flight.
 Eigen::Matrix3Xd run_points(const std::vector<const Recording*>& recordings) {
   Eigen::Matrix3Xd points(3, 0);
   for (const auto* recording : recordings) {
-    for (const auto frame : {std::size_t{0}, recording->frame_count() - 1}) {
+    constexpr std::size_t kMoments = 12;
+    for (std::size_t i = 0; i <= kMoments; ++i) {
+      const std::size_t frame = i * (recording->frame_count() - 1) / kMoments;
       const auto more = visible_points(recording->structure(), recording->frame(frame));
       points.conservativeResize(3, points.cols() + more.cols());
       points.rightCols(more.cols()) = more;

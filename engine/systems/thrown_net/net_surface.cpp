@@ -21,20 +21,10 @@ double solid_angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eig
 
 }  // namespace
 
-NetSurface::NetSurface(std::vector<std::int32_t> knots, int cells) : knots_(std::move(knots)) {
-  const auto knot = [&](int row, int column) { return knots_[static_cast<std::size_t>(row * (cells + 1) + column)]; };
-  for (int row = 0; row < cells; ++row) {
-    for (int column = 0; column < cells; ++column) {
-      const std::int32_t a = knot(row, column), b = knot(row, column + 1);
-      const std::int32_t c = knot(row + 1, column + 1), d = knot(row + 1, column);
-      triangles_.push_back({a, b, c});
-      triangles_.push_back({a, c, d});
-    }
-  }
-  for (int i = 0; i < cells; ++i) perimeter_.push_back(knot(0, i));
-  for (int i = 0; i < cells; ++i) perimeter_.push_back(knot(i, cells));
-  for (int i = cells; i > 0; --i) perimeter_.push_back(knot(cells, i));
-  for (int i = cells; i > 0; --i) perimeter_.push_back(knot(i, 0));
+NetSurface::NetSurface(const NetPattern& pattern, std::vector<std::int32_t> nodes) : nodes_(std::move(nodes)) {
+  const auto node = [this](std::int32_t knot) { return nodes_[static_cast<std::size_t>(knot)]; };
+  for (const auto& [a, b, c] : pattern.triangles) triangles_.push_back({node(a), node(b), node(c)});
+  for (const std::int32_t knot : pattern.perimeter) perimeter_.push_back(node(knot));
 }
 
 double NetSurface::area(const Eigen::Matrix3Xd& positions) const {
@@ -67,8 +57,8 @@ double NetSurface::enclosure(const Eigen::Matrix3Xd& positions, const Eigen::Vec
 
 Eigen::Vector3d NetSurface::centre(const Eigen::Matrix3Xd& positions) const {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (const std::int32_t knot : knots_) sum += positions.col(knot);
-  return sum / static_cast<double>(knots_.size());
+  for (const std::int32_t node : nodes_) sum += positions.col(node);
+  return sum / static_cast<double>(nodes_.size());
 }
 
 }  // namespace netpocket

@@ -1,17 +1,19 @@
 #pragma once
-// The surface that the knots of a square net span: two triangles for each mesh.
+// The surface that the knots of a net span, in triangles between them.
 
 #include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
 #include <vector>
 
+#include "engine/systems/thrown_net/net_pattern.h"
+
 namespace netpocket {
 
 class NetSurface {
  public:
-  // `knots`: nodes, row after row, `cells` + 1 in a row; columns of the positions below.
-  NetSurface(std::vector<std::int32_t> knots, int cells);
+  // `nodes`: by knot of the pattern; columns of the positions below.
+  NetSurface(const NetPattern& pattern, std::vector<std::int32_t> nodes);
 
   // m^2, of the net: the sum over its triangles. At most that of the flat net if no mesh side is longer than there.
   double area(const Eigen::Matrix3Xd& positions) const;
@@ -25,7 +27,7 @@ class NetSurface {
   Eigen::Vector3d centre(const Eigen::Matrix3Xd& positions) const;
 
  private:
-  std::vector<std::int32_t> knots_;
+  std::vector<std::int32_t> nodes_;
   std::vector<std::array<std::int32_t, 3>> triangles_;  // nodes
   std::vector<std::int32_t> perimeter_;                 // nodes, in their order round the net
 };

@@ -30,8 +30,7 @@ class ThrownNetBuilder {
         face_(scenario.spacecraft.position + Eigen::Vector3d(0, 0.5 * scenario.spacecraft.size.y(), 0)) {}
 
   ThrownNet build() {
-    net_.cells = given_.cells;
-    net_.side = given_.side;
+    net_.pattern = net_pattern(given_.shape, given_.side, given_.cells, given_.spokes);
     model_.contact = {.restitution = scenario_.contact.restitution,
                       .friction = scenario_.contact.friction,
                       .friction_velocity = scenario_.contact.friction_velocity,
@@ -59,7 +58,8 @@ class ThrownNetBuilder {
   void add_bodies();
   void add_knots();
   void add_cords();
-  void add_side(const std::vector<std::int32_t>& stops, const std::string& name);
+  std::vector<std::int32_t> nodes_of(const NetCord& cord) const;
+  void add_side(const NetCord& cord, const std::string& name);
   void add_corner_masses();
   void add_tether();
   void throw_net();
@@ -134,57 +134,51 @@ void ThrownNetBuilder::add_bodies() {
 }
 
 void ThrownNetBuilder::add_knots() {
-  const double size = given_.folding * given_.side;
-  for (int row = 0; row <= given_.cells; ++row) {
-    for (int column = 0; column <= given_.cells; ++column) {
-      const Eigen::Vector3d place(size * (static_cast<double>(column) / given_.cells - 0.5), given_.gap,
-                                  size * (static_cast<double>(row) / given_.cells - 0.5));
-      net_.knots.push_back(model_.add_node(face_ + place));
-    }
+  for (const Eigen::Vector2d& flat : net_.pattern.knots) {
+    const Eigen::Vector2d folded = given_.folding * flat;
+    net_.knots.push_back(model_.add_node(face_ + Eigen::Vector3d(folded.x(), given_.gap, folded.y())));
   }
 }
 
-// The outermost rows and columns are the net's sides.
 void ThrownNetBuilder::add_cords() {
   cord_ = model_.add_material(cord_material(given_.cord));
   if (given_.has_drawstring()) drawstring_ = model_.add_material(cord_material(given_.drawstring_cord));
   int side = 0;
-  for (int line = 0; line <= given_.cells; ++line) {
-    std::vector<std::int32_t> row, column;
-    for (int i = 0; i <= given_.cells; ++i) {
-      row.push_back(net_.knot(line, i));
-      column.push_back(net_.knot(i, line));
+  for (const NetCord& cord : net_.pattern.cords) {
+    if (cord.is_side && given_.has_drawstring()) {
+      add_side(cord, fmt::format("drawstring {}", ++side));
+      continue;
     }
-    const bool is_side = line == 0 || line == given_.cells;
-    for (const auto& [stops, name] :
-         {std::pair(row, fmt::format("row {}", line + 1)), {column, fmt::format("column {}", line + 1)}}) {
-      if (is_side && given_.has_drawstring()) {
-        add_side(stops, fmt::format("drawstring {}", ++side));
-        continue;
-      }
-      const auto elements = add_chain(stops, given_.elements_per_side, given_.side, cord_, NetGroup::cords, name);
-      net_.net_elements.insert(net_.net_elements.end(), elements.begin(), elements.end());
-    }
+    const auto elements = add_chain(nodes_of(cord), cord.divisions * given_.elements_per_side, cord.length, cord_,
+                                    NetGroup::cords, cord.name);
+    net_.net_elements.insert(net_.net_elements.end(), elements.begin(), elements.end());
   }
 }
 
+std::vector<std::int32_t> ThrownNetBuilder::nodes_of(const NetCord& cord) const {
+  std::vector<std::int32_t> nodes;
+  for (const std::int32_t knot : cord.knots) nodes.push_back(net_.node_of(knot));
+  return nodes;
+}
+
 // A side whose cord is drawstring: a rope that winches at the net's corners wind in.
-void ThrownNetBuilder::add_side(const std::vector<std::int32_t>& stops, const std::string& name) {
+void ThrownNetBuilder::add_side(const NetCord& cord, const std::string& name) {
   VariableRope rope;
-  rope.elements = add_chain(stops, given_.elements_per_side, given_.side, drawstring_, NetGroup::drawstring, name);
-  rope.motion.length = given_.side;
+  rope.elements = add_chain(nodes_of(cord), cord.divisions * given_.elements_per_side, cord.length, drawstring_,
+                            NetGroup::drawstring, name);
+  rope.motion.length = cord.length;
   model_.ropes.push_back(std::move(rope));
 }
 
 void ThrownNetBuilder::add_corner_masses() {
-  const int last = given_.cells;
   CordParameters thread = given_.cord;
   thread.diameter = given_.corner_thread_diameter;
   const std::int32_t material = given_.corner_thread > 0 ? model_.add_material(cord_material(thread)) : 0;
   const double mesh = given_.side / given_.cells;
   const int count = std::max(1, static_cast<int>(std::lround(given_.corner_thread / mesh))) * given_.elements_per_side;
   int number = 0;
-  for (const std::int32_t corner : {net_.knot(0, 0), net_.knot(0, last), net_.knot(last, last), net_.knot(last, 0)}) {
+  for (const std::int32_t knot : net_.pattern.corners) {
+    const std::int32_t corner = net_.node_of(knot);
     const Eigen::Vector3d place = model_.nodes[static_cast<std::size_t>(corner)].position;
     const Eigen::Vector3d out = Eigen::Vector3d(place.x() - face_.x(), 0, place.z() - face_.z()).normalized();
     std::int32_t mass = corner;
@@ -203,7 +197,7 @@ void ThrownNetBuilder::add_corner_masses() {
 
 void ThrownNetBuilder::add_tether() {
   const std::int32_t eye = model_.add_node(face_ + Eigen::Vector3d(0, std::min(kEye, 0.5 * given_.gap), 0));
-  const std::int32_t middle = net_.knot(given_.cells / 2, given_.cells / 2);
+  const std::int32_t middle = net_.node_of(net_.pattern.middle);
   const std::int32_t material = model_.add_material(cord_material(given_.tether));
   const auto elements =
       add_chain({eye, middle}, given_.tether_elements, given_.tether_length, material, NetGroup::tether, "tether");

@@ -1,6 +1,6 @@
 #pragma once
-// Builds the model of a thrown net: a square net with a mass on a thread at each corner, folded in front of the
-// spacecraft, with a tether to the spacecraft and a drawstring round its perimeter if the scenario has them.
+// Builds the model of a thrown net: a net (net_pattern.h) with a mass on a thread at each corner, folded in front of
+// the spacecraft, with a tether to the spacecraft and a drawstring round its perimeter if the scenario has them.
 //
 // Folding. All cords pull and do not push. The folded net is the flat net at a scale f < 1, with the slopes scaled too:
 // every element has the chord slope e = f t and gradients f t. So its bending energy, which counts h = g - e (THEORY.md
@@ -10,6 +10,7 @@
 
 #include "engine/model/model.h"
 #include "engine/scenario/thrown_net_parameters.h"
+#include "engine/systems/thrown_net/net_pattern.h"
 
 namespace netpocket {
 
@@ -18,14 +19,13 @@ inline constexpr const char* kCornerMasses = "corner masses";
 struct ThrownNet {
   Model model;
   std::int32_t spacecraft = 0, target = 0;  // bodies
-  int cells = 0;                            // along a side
-  double side = 0;                          // m
-  std::vector<std::int32_t> knots;          // nodes, row after row, cells + 1 in a row
+  NetPattern pattern;                       // of the flat net
+  std::vector<std::int32_t> knots;          // nodes, by knot of the pattern
   std::vector<std::int32_t> corner_masses;  // nodes, in their order round the net
   std::vector<std::int32_t> net_elements;   // of the net's cords
   std::int32_t tether_end = -1;             // element of the tether at the spacecraft; -1: no tether
 
-  std::int32_t knot(int row, int column) const { return knots[static_cast<std::size_t>(row * (cells + 1) + column)]; }
+  std::int32_t node_of(std::int32_t knot) const { return knots[static_cast<std::size_t>(knot)]; }
 };
 
 // The scenario must pass check_scenario. Throws std::runtime_error with one sentence if a file that it names has become

@@ -18,8 +18,8 @@ Eigen::Matrix3Xd start_positions(const Model& model) {
 ThrownNetChannels::ThrownNetChannels(const ThrownNet& net)
     : infos_(common_channels(true, true)),
       first_own_(infos_.size()),
-      surface_(net.knots, net.cells),
-      own_area_(net.side * net.side),
+      surface_(net.pattern, net.knots),
+      own_area_(net.pattern.area),
       start_(surface_.centre(start_positions(net.model))),
       target_(net.target),
       corner_masses_(net.corner_masses),

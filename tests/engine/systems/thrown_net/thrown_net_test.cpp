@@ -4,6 +4,7 @@
 #include "engine/systems/thrown_net/thrown_net.h"
 
 #include <numbers>
+#include <numeric>
 
 #include "engine/capture/simulation.h"
 #include "engine/scenario/check_scenario.h"
@@ -73,15 +74,19 @@ TEST_F(VerificationThrownNet, StartsFreeOfStress) {
   expect_below("strain energy of a folded net, J", energies.strain, 1e-20, "slopes and chords agree: nothing bends");
 }
 
+// Of a square net with its knots as nodes.
+NetSurface surface_of_meshes(int cells) {
+  const NetPattern pattern = net_pattern(NetShape::square, cells, cells, 0);
+  std::vector<std::int32_t> nodes(pattern.knots.size());
+  std::iota(nodes.begin(), nodes.end(), 0);
+  return {pattern, nodes};
+}
+
 // Solid angle of a square of side a from the distance d above its middle: 4 asin((a/2)^2/((a/2)^2 + d^2)).
 TEST(NetSurface, AreaMouthAndEnclosureOfAFlatNet) {
-  std::vector<std::int32_t> knots;
   Eigen::Matrix3Xd positions(3, 16);
-  for (int i = 0; i < 16; ++i) {
-    knots.push_back(i);
-    positions.col(i) = Eigen::Vector3d(i % 4 - 1.5, 0.5, i / 4 - 1.5);
-  }
-  const NetSurface surface(knots, 3);
+  for (int i = 0; i < 16; ++i) positions.col(i) = Eigen::Vector3d(i % 4 - 1.5, 0.5, i / 4 - 1.5);
+  const NetSurface surface = surface_of_meshes(3);
   EXPECT_NEAR(surface.area(positions), 9, 1e-14);
   EXPECT_NEAR(surface.mouth_area(positions), 9, 1e-14);
   EXPECT_NEAR((surface.centre(positions) - Eigen::Vector3d(0, 0.5, 0)).norm(), 0, 1e-15);
@@ -99,13 +104,9 @@ TEST(NetSurface, EnclosureOfAnOpenBox) {
     const bool up = row == 0 || row == 3 || column == 0 || column == 3;
     return {across(column), up ? 0.5 : -0.5, across(row)};
   };
-  std::vector<std::int32_t> knots;
   Eigen::Matrix3Xd positions(3, 16);
-  for (int i = 0; i < 16; ++i) {
-    knots.push_back(i);
-    positions.col(i) = place(i / 4, i % 4);
-  }
-  const NetSurface surface(knots, 3);
+  for (int i = 0; i < 16; ++i) positions.col(i) = place(i / 4, i % 4);
+  const NetSurface surface = surface_of_meshes(3);
   EXPECT_NEAR(surface.enclosure(positions, Eigen::Vector3d::Zero()), 5.0 / 6, 1e-14);
   EXPECT_NEAR(surface.mouth_area(positions), 1, 1e-14);
 }
@@ -152,6 +153,34 @@ TEST_F(VerificationThrownNet, ThrowKeepsMomentumAndEnergy) {
   expect_below("the same with steps a fifth as long", energy_error(0.18), 3e-3, kinks);
   EXPECT_GT(largest, 0.5);
   EXPECT_LT(largest, 1);
+}
+
+// Every shape spreads without exceeding itself, keeps momentum and is drawn together.
+TEST(ThrownNet, EveryShapeSpreadsAndCloses) {
+  for (const auto& [shape, masses, perimeter] :
+       {std::tuple("hexagonal", 6.0, 24.0), {"radial", 8.0, 8 * 2 * 4 * std::sin(std::numbers::pi / 8)}}) {
+    const Scenario scenario =
+        thrown(std::string("[net]\nshape = \"") + shape +
+               "\"\nside = 4\ncells = 4\n[contact]\ncords = false\n[towing]\nmode = \"none\"\n"
+               "[target]\nposition = [0, 300, 0]\n[tether]\nlength = 60\n"
+               "[drawstring]\nstarts_at = \"time\"\nstart = 2.5\nduration = 4\nclosed_length = 0.5\n");
+    EXPECT_EQ(check_scenario(scenario).text(), "");
+    Simulation simulation(scenario);
+    const double recoil = masses * 0.5 * 2.5 * std::cos(0.6435) / scenario.spacecraft.mass;
+    const Snapshot start = simulation.snapshot();
+    EXPECT_NEAR(start.bodies[0].velocity.y(), -recoil, 0.01 * recoil) << shape << ": and half of the threads";
+    double largest = 0;
+    for (double time = 0; time < 2.5; time += 0.1) {
+      largest = std::max(largest, channel(advanced_to(simulation, time), "net_area_part"));
+    }
+    EXPECT_GT(largest, 0.5) << shape;
+    EXPECT_LT(largest, 1.001) << shape;
+    const Snapshot closed = advanced_to(simulation, 7);
+    EXPECT_NEAR(channel(closed, "drawstring_length"), 0.5, 1e-12);
+    const double loop = masses * 0.5;
+    EXPECT_LT(channel(closed, "mouth_area"), loop * loop / (4 * std::numbers::pi)) << shape << ": a circle of the loop";
+    EXPECT_GT(perimeter, 4 * loop);
+  }
 }
 
 TEST(ThrownNet, DrawstringClosesTheMouth) {
