@@ -12,6 +12,7 @@
 #include "gui/commands/options.h"
 #include "gui/commands/recordings.h"
 #include "gui/commands/standard_streams.h"
+#include "render/figures/figure_table.h"
 #include "render/figures/plot_figures.h"
 #include "render/figures/study_figures.h"
 
@@ -24,6 +25,7 @@ struct PlotChoice {
   std::vector<std::string> figures;
   std::string format = "png";
   double resolution = kPrintResolution;
+  bool csv = false;
 };
 
 std::string figure_list() {
@@ -61,9 +63,12 @@ ExitCode plot_study(const PlotChoice& choice) {
   for (const std::string& name : names) {
     files.push_back(fmt::format("{}/{}.{}", choice.output, name, to_string(format)));
     outputs.add("--output", files.back(), file_kind(format));
+    if (choice.csv) outputs.add("--csv", table_beside(files.back()).string(), FileKind::csv);
   }
   for (std::size_t i = 0; i < names.size(); ++i) {
-    save_figure(make_study_figure(names[i], results), files[i], choice.resolution);
+    const Figure figure = make_study_figure(names[i], results);
+    save_figure(figure, files[i], choice.resolution);
+    if (choice.csv) save_figure_csv(figure, table_beside(files[i]));
   }
   return ExitCode::ok;
 }
@@ -72,13 +77,14 @@ ExitCode plot(const PlotChoice& choice) {
   if (holds_study(choice.recordings.front())) return plot_study(choice);
   const std::vector<Recording> recordings = open_recordings(choice.recordings);
   const std::vector<RunSeries> runs = run_series(pointers(recordings));
-  const PlotOptions options{figure_format(choice.format), choice.figures, choice.resolution};
+  const PlotOptions options{figure_format(choice.format), choice.figures, choice.resolution, choice.csv};
   note_missing_letters(run_labels(pointers(recordings)));
   make_folder(choice.output);
   OutputList outputs;
   for (const std::string& recording : choice.recordings) outputs.add_input(recording);
   for (const auto& file : figure_files(runs, choice.output, options)) {
     outputs.add("--output", file.string(), file_kind(options.format));
+    if (choice.csv) outputs.add("--csv", table_beside(file).string(), FileKind::csv);
   }
   const Interrupt interrupt;
   plot_figures(runs, choice.output, options, interrupt.token());
@@ -104,10 +110,12 @@ Action declare_plot(CLI::App& app) {
       ->type_name("N")
       ->check(number_between(20, 2400))
       ->capture_default_str();
+  app.add_flag("--csv", choice->csv, "also the numbers of each figure, in NAME.csv beside it");
   app.footer(figure_list() + R"(
 Examples:
   netpocket plot case1.h5 -o figures
   netpocket plot case1.h5 case2.h5 case3.h5 -o figures --figure figure09_force --format svg
+  netpocket plot case1.h5 -o figures --figure energy --csv
   netpocket plot campaign -o figures --figure capture_map
 
 )" + exit_code_help({ExitCode::bad_input, ExitCode::io, ExitCode::rendering, ExitCode::interrupted}));

@@ -49,6 +49,8 @@ std::vector<double> sizes_of(const RunSeries& run, const Names& channels) {
   return squares;
 }
 
+std::string size_name(const Names& channels) { return fmt::format("size of ({})", fmt::join(channels, ", ")); }
+
 std::vector<double> differences(const RunSeries& run, const std::string& minuend, const std::string& subtrahend) {
   const auto *a = values_of(run, minuend), *b = values_of(run, subtrahend);
   if (a == nullptr || b == nullptr) return {};
@@ -57,12 +59,15 @@ std::vector<double> differences(const RunSeries& run, const std::string& minuend
   return result;
 }
 
-Curve curve_with(const RunSeries& run, std::vector<double> values, std::size_t colour, const std::string& label) {
+// `shown`: a channel, or what is made of channels.
+Curve curve_with(const RunSeries& run, const std::string& shown, std::vector<double> values, std::size_t colour,
+                 const std::string& label) {
   Curve curve;
   curve.x = run.times();
   curve.y = std::move(values);
   curve.colour = kRunColours[colour % kRunColours.size()];
   curve.label = label;
+  if (!run.name.empty()) curve.name = fmt::format("{}: {}", run.name, shown);
   return curve;
 }
 
@@ -118,7 +123,8 @@ class LoopFigure {
   void add_sizes(Panel& panel, const Names& channels) const {
     for (std::size_t run = 0; run < runs_.size(); ++run) {
       std::vector<double> sizes = sizes_of(runs_[run], channels);
-      if (!sizes.empty()) panel.curves.push_back(curve_with(runs_[run], sizes, run, plain_text(runs_[run].name)));
+      if (!sizes.empty())
+        panel.curves.push_back(curve_with(runs_[run], size_name(channels), sizes, run, plain_text(runs_[run].name)));
     }
   }
 
@@ -127,9 +133,9 @@ class LoopFigure {
     for (std::size_t i = 0; i < channels.size(); ++i) {
       const std::vector<double>* values = values_of(run, channels[i]);
       if (values == nullptr) continue;
-      panel.curves.push_back(curve_with(run, *values, i, channels.size() > 1 ? kAxes[i % 3] : ""));
+      panel.curves.push_back(curve_with(run, channels[i], *values, i, channels.size() > 1 ? kAxes[i % 3] : ""));
       const std::vector<double>* other = i < dashed.size() ? values_of(run, dashed[i]) : nullptr;
-      if (other != nullptr) add_dashed(panel, curve_with(run, *other, i, ""));
+      if (other != nullptr) add_dashed(panel, curve_with(run, dashed[i], *other, i, ""));
     }
   }
 
@@ -165,10 +171,11 @@ class LoopFigure {
       if (values == nullptr) continue;
       const std::size_t colour = is_one() ? i : run;
       const std::string name = is_one() ? (row.size() > 1 ? std::to_string(i + 1) : "") : runs_[run].name;
-      panel.curves.push_back(curve_with(runs_[run], *values, colour, i == 0 || is_one() ? plain_text(name) : ""));
+      panel.curves.push_back(
+          curve_with(runs_[run], row[i].actual.front(), *values, colour, i == 0 || is_one() ? plain_text(name) : ""));
       const bool has_set_point = !row[i].set_point.empty();
       const auto* wanted = has_set_point ? values_of(runs_[run], row[i].set_point.front()) : nullptr;
-      if (wanted != nullptr) add_dashed(panel, curve_with(runs_[run], *wanted, colour, ""));
+      if (wanted != nullptr) add_dashed(panel, curve_with(runs_[run], row[i].set_point.front(), *wanted, colour, ""));
     }
   }
 
@@ -176,7 +183,8 @@ class LoopFigure {
     for (std::size_t run = 0; run < runs_.size(); ++run) {
       for (std::size_t i = 0; i < std::min(loop.actual.size(), loop.set_point.size()); ++i) {
         const std::string label = is_one() ? kAxes[i % 3] : runs_[run].name;
-        panel.curves.push_back(curve_with(runs_[run], differences(runs_[run], loop.actual[i], loop.set_point[i]),
+        panel.curves.push_back(curve_with(runs_[run], fmt::format("{} - {}", loop.actual[i], loop.set_point[i]),
+                                          differences(runs_[run], loop.actual[i], loop.set_point[i]),
                                           is_one() ? i : run, is_one() || i == 0 ? plain_text(label) : ""));
       }
     }

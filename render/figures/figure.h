@@ -28,6 +28,7 @@ struct Curve {
   std::vector<double> dash;      // on, off, ... in points; empty: solid
   Marker marker = Marker::none;  // drawn at every point, instead of a line when there is only one
   std::string label;             // legend entry; empty: none
+  std::string name;              // of what it shows, in tables, without markup; empty: the label
 };
 
 // A stretch of the x axis with a light tint, a label at the top and a dashed line where it begins.

@@ -79,6 +79,7 @@ Panel panel_of(const Group& group, const std::vector<RunSeries>& runs) {
       if (!index) continue;
       Curve curve = one_run ? curve_of(runs[run], *index, component, component / kRunColours.size())
                             : curve_of(runs[run], *index, run, component);
+      curve.name = fmt::format("{}: {}", runs[run].name, group[component].name);
       std::string label = one_run ? "" : plain_text(runs[run].name);
       if (group.size() > 1) {
         label += (label.empty() ? "" : " ") + plain_text(component_of(group[component].name));

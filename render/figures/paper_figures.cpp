@@ -38,6 +38,7 @@ Curve channel_curve(const RunSeries& run, Channel channel, FigureColour colour, 
   curve.y = run.channel(channel);
   curve.colour = colour;
   curve.label = std::move(label);
+  if (!run.name.empty()) curve.name = fmt::format("{}: {}", run.name, channel_info(channel).name);
   return curve;
 }
 
@@ -120,6 +121,7 @@ std::vector<Curve> peak_marker(const RunSeries& run) {
   curve.y = {force[peak]};
   curve.colour = kBlack;
   curve.marker = Marker::circle;
+  curve.name = run.name + ": largest contact_fy";
   curve.label = fmt::format("{} N at {} s", number_text(force[peak], 1), number_text(curve.x[0], 2));
   return {curve};
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "engine/base/folder.h"
+#include "render/figures/figure_table.h"
 
 namespace netpocket {
 namespace {
@@ -40,6 +41,7 @@ std::vector<std::filesystem::path> plot_figures(const std::vector<RunSeries>& ru
   std::size_t written = 0;
   for (; written < files.size() && !stop.stop_requested(); ++written) {
     save_figure(figures[written], files[written], options.resolution);
+    if (options.tables) save_figure_csv(figures[written], table_beside(files[written]));
   }
   files.resize(written);
   return files;

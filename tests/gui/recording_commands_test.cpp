@@ -151,6 +151,24 @@ TEST(Export, CsvHasARowForEachFrame) {
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 7);  // names, and frames at 0, 0.02, ... 0.1 s
 }
 
+// The files hold what the commands print.
+TEST(Export, JsonHoldsSummaryMetricsAndScenario) {
+  const TestFolder folder;
+  const std::string recording = short_recording(folder), place = folder.file("json");
+  expect_ok({"export", recording, "--json", place});
+  for (const std::string command : {"info", "metrics"}) {
+    const auto printed = run_program({command, recording, "--json"});
+    const std::string name = command == "info" ? "summary" : command;
+    EXPECT_EQ(json::parse(content(place + "/" + name + ".json")), json::parse(printed.out)) << command;
+  }
+  const json scenario = json::parse(content(place + "/scenario.json"));
+  json checked = json::parse(run_program({"check", scenario_file("case1.toml"), "--json"}).out);
+  EXPECT_EQ(scenario.at("name"), "case1");
+  EXPECT_EQ(scenario.at("net"), checked.at("net"));
+  EXPECT_EQ(scenario.at("target"), checked.at("target"));
+  EXPECT_EQ(scenario.size(), checked.size());
+}
+
 TEST(Export, VtpSeriesHasATimeForEachFrame) {
   const TestFolder folder;
   expect_ok({"export", short_recording(folder), "--vtp", folder.file("vtp"), "--quiet"});
@@ -165,6 +183,27 @@ TEST(Plot, WritesTheFigureAskedFor) {
   expect_ok({"plot", short_recording(folder), "-o", folder.file("figures"), "--figure", "figure03_closing", "--format",
              "svg"});
   EXPECT_NE(content(folder.file("figures/figure03_closing.svg")).find("<svg"), std::string::npos);
+}
+
+TEST(Plot, WritesTheNumbersBesideTheFigure) {
+  const TestFolder folder;
+  const std::string recording = short_recording(folder);
+  expect_ok({"plot", recording, "-o", folder.file("figures"), "--figure", "tension", "--csv", "--dpi", "40"});
+  expect_ok({"export", recording, "--csv", folder.file("channels")});
+  const auto lines = [](const std::string& text) { return std::count(text.begin(), text.end(), '\n'); };
+  const std::string table = content(folder.file("figures/tension.csv"));
+  EXPECT_TRUE(
+      table.starts_with("panel,title,curve,x_axis,x,y_axis,y\n1,Largest tension in a net cord,"
+                        "case1: rope_tension_max,Time t (s),0,Tension (N),"))
+      << table.substr(0, 200);
+  // Two curves; a header line each.
+  EXPECT_EQ(lines(table) - 1, 2 * (lines(content(folder.file("channels/channels.csv"))) - 1));
+  // A table of the user's is not overwritten by something else.
+  std::ofstream(folder.file("figures/tension.csv")) << "%PDF-1.5";
+  const auto refused =
+      run_program({"plot", recording, "-o", folder.file("figures"), "--figure", "tension", "--csv", "--dpi", "40"});
+  EXPECT_NE(refused.exit_code, 0);
+  EXPECT_NE(refused.error.find("--csv"), refused.error.npos) << refused.error;
 }
 
 TEST(Render, PicturesSheetAndVideoWithoutADisplay) {

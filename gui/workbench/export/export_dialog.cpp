@@ -1,5 +1,6 @@
 #include "gui/workbench/export/export_dialog.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDir>
@@ -66,6 +67,7 @@ ExportDialog::ExportDialog(const QString& folder, const QString& name, const Sho
                            {tr("Contact force"), "contact"}})),
       background_(make_choice({{tr("White"), "white"}, {tr("Space"), "space"}})),
       format_(make_choice({{"PDF", "pdf"}, {"SVG", "svg"}, {"PNG", "png"}})),
+      tables_(new QCheckBox(tr("beside each figure, as CSV"))),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel)) {
   setWindowTitle(tr("Export"));
   for (const KindEntry& entry : kKinds) kind_->addItem(tr(entry.name));
@@ -84,6 +86,7 @@ ExportDialog::ExportDialog(const QString& folder, const QString& name, const Sho
   form_->addRow(tr("C&olours:"), colors_);
   form_->addRow(tr("&Background:"), background_);
   form_->addRow(tr("&Format:"), format_);
+  form_->addRow(tr("&Numbers:"), tables_);
   form_->addRow(buttons_);
   buttons_->button(QDialogButtonBox::Ok)->setText(tr("Export"));
   connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
@@ -129,6 +132,7 @@ void ExportDialog::kind_changed() {
   }
   show(rate_, entry.rate);
   show(format_, kind() == ExportKind::figures);
+  show(tables_, kind() == ExportKind::figures);
   adjustSize();
 }
 
@@ -175,7 +179,8 @@ QStringList ExportDialog::look_arguments(const QString& view_file) const {
 QStringList ExportDialog::arguments(const QString& recording, const QString& view_file) const {
   switch (kind()) {
     case ExportKind::figures:
-      return {"plot", recording, "-o", target(), "--format", format_->currentData().toString()};
+      return QStringList{"plot", recording, "-o", target(), "--format", format_->currentData().toString()}
+             << (tables_->isChecked() ? QStringList{"--csv"} : QStringList());
     case ExportKind::csv:
       return {"export", recording, "--csv", target()};
     case ExportKind::paraview:

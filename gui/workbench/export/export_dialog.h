@@ -7,6 +7,7 @@
 #include "render/scene/camera.h"
 #include "render/scene/scene_options.h"
 
+class QCheckBox;
 class QComboBox;
 class QDialogButtonBox;
 class QDoubleSpinBox;
@@ -63,6 +64,7 @@ class ExportDialog : public QDialog {
   QComboBox* colors_;
   QComboBox* background_;
   QComboBox* format_;
+  QCheckBox* tables_;
   QDialogButtonBox* buttons_;
 };
 

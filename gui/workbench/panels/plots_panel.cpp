@@ -15,6 +15,7 @@
 #include "gui/workbench/panels/tones.h"
 #include "render/figures/control_loops.h"
 #include "render/figures/figure_file.h"
+#include "render/figures/figure_table.h"
 #include "render/figures/own_channels.h"
 #include "render/figures/paper_figures.h"
 
@@ -227,7 +228,12 @@ std::optional<QString> PlotsPanel::export_figure(const QString& path) const {
   if (const auto window = chart_->window()) figure = cut(figure, *window);
   if (const auto range = chart_->window() ? chart_->window() : time_range(figure)) share_time(figure, *range);
   try {
-    save_figure(figure, std::filesystem::path(path.toStdString()));
+    const std::filesystem::path file(path.toStdString());
+    if (file.extension() == ".csv") {
+      save_figure_csv(figure, file);
+    } else {
+      save_figure(figure, file);
+    }
   } catch (const std::exception& error) {
     return QString::fromUtf8(error.what());
   }
@@ -236,7 +242,7 @@ std::optional<QString> PlotsPanel::export_figure(const QString& path) const {
 
 void PlotsPanel::ask_for_export() {
   const FileQuestion question = {tr("Export figure"), figure_name() + ".pdf",
-                                 tr("PDF (*.pdf);;SVG (*.svg);;PNG (*.png)"), "pdf"};
+                                 tr("PDF (*.pdf);;SVG (*.svg);;PNG (*.png);;Numbers (*.csv)"), "pdf"};
   ask_for_file(this, question, [this](const QString& path) {
     const auto problem = export_figure(path);
     if (problem) {

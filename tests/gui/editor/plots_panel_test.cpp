@@ -92,7 +92,7 @@ TEST_F(Plots, ExportsWhatIsShown) {
   panel.set_series({synthetic_run("case1", 10)});
   settle();
   QTemporaryDir folder;
-  for (const char* name : {"a.png", "a.svg", "a.pdf"}) {
+  for (const char* name : {"a.png", "a.svg", "a.pdf", "a.csv"}) {
     EXPECT_FALSE(panel.export_figure(folder.filePath(name)));
     EXPECT_GT(read_file(folder.filePath(name)).size(), 1000) << name;
   }
