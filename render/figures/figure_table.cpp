@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/base/whole_file.h"
+#include "engine/state/written_time.h"
 #include "render/figures/rich_text.h"
 
 namespace netpocket {
@@ -32,7 +33,8 @@ std::string cell(const std::string& text) {
 
 std::string value_cell(const PanelAxis& axis, double value) {
   const auto name = std::ranges::find_if(axis.names, [&](const NamedTick& tick) { return tick.value == value; });
-  return name == axis.names.end() ? fmt::format("{}", value) : cell(without_markup(name->name));
+  if (name != axis.names.end()) return cell(without_markup(name->name));
+  return fmt::format("{}", axis.title.starts_with("Time") ? written_time(value) : value);
 }
 
 std::string curve_name(const Curve& curve, std::size_t index) {

@@ -30,7 +30,7 @@ TEST(FigureTable, HasALineForEachPoint) {
   panel.x.title = "Time *t* (s)";
   panel.y.title = "Force *F_{y}* (N)";
   Curve named, labelled, bare;
-  named.x = {0, 0.1, 0.2};
+  named.x = {0, 0.1, 0.2 + 3e-14};
   named.y = {1.0 / 3, kNoNumber, -2e-9};
   named.name = "the \"first\"";
   labelled.x = {5};
