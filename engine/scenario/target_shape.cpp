@@ -91,7 +91,7 @@ std::variant<Shape, Diagnostic> mesh_shape(const Scenario& scenario) {
   const auto fails = [&](const std::string& rest) {
     return Diagnostic{.key = kMeshKey, .message = fmt::format("{} {}", netpocket::quoted(name), rest)};
   };
-  if (name.empty()) return Diagnostic{.key = kMeshKey, .message = "the shape \"mesh\" needs a file, .stl or .obj"};
+  if (name.empty()) return Diagnostic{.key = kMeshKey, .message = "the shape \"mesh\" needs a file, .stl, .obj, .ply or .glb"};
   const KeptMesh& kept = scenario.files.kept_mesh;
   if (kept.mesh && kept.file == name && kept.unit == scenario.target.mesh_unit) return Shape(MeshShape{kept.mesh});
   const auto path = allowed_path(scenario.files, name);

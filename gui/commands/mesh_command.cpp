@@ -22,7 +22,7 @@ namespace netpocket {
 namespace {
 
 constexpr const char* kMeshFooter =
-    R"(Tells whether an STL or OBJ file can be a target (shape = "mesh"), and what hinders it: open edges, triangles that
+    R"(Tells whether an STL, OBJ, PLY or binary glTF file can be a target (shape = "mesh"), and what hinders it: open edges, triangles that
 face the wrong way or are there twice, parts that enclose no volume, go through each other or lie in each other, each with
 places. The picture shows them in red, and the back of triangles in orange.
 
@@ -147,7 +147,7 @@ ExitCode run(const MeshChoice& choice) {
 
 Action declare_mesh(CLI::App& app) {
   const auto choice = std::make_shared<MeshChoice>();
-  app.add_option("MESH", choice->file, "mesh file, .stl or .obj")->required()->type_name("FILE");
+  app.add_option("MESH", choice->file, "mesh file, .stl, .obj, .ply or .glb")->required()->type_name("FILE");
   app.add_option("--unit", choice->unit,
                  fmt::format("unit of its coordinates: {} (default: the likely one)", fmt::join(unit_names(), ", ")))
       ->type_name("NAME")

@@ -133,7 +133,8 @@ TEST(MeshCommand, FilesThatHoldNoMesh) {
     return result.error;
   };
   EXPECT_TRUE(contains(error(folder.file("none.stl")), "none.stl\" does not exist"));
-  EXPECT_TRUE(contains(error(folder.write("a.step", "")), "a.step\" must be a mesh file, .stl or .obj"));
+  EXPECT_TRUE(contains(error(folder.write("a.step", "")), "a.step\" is a CAD file with curved surfaces, not a mesh"));
+  EXPECT_TRUE(contains(error(folder.write("a.3mf", "")), "a.3mf\" must be a mesh file, .stl, .obj, .ply or .glb"));
   EXPECT_TRUE(contains(error(folder.write("a.obj", "v 0 0 0\n")), "a.obj\" has no triangles"));
   EXPECT_TRUE(contains(error(folder.write("b.obj", "v nan 0 0\nf 1 1 1\n")), "coordinates are not finite numbers"));
 }

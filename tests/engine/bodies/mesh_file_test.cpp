@@ -228,8 +228,10 @@ TEST(MeshFile, PlacesThatHoldNoMesh) {
   const auto read = [&](const std::string& name) { return problem(read_mesh_file(folder + "/" + name, 1)); };
   EXPECT_EQ(read("missing.stl"), "does not exist");
   EXPECT_EQ(read("folder.stl"), "is not a file");
-  EXPECT_EQ(read("mesh.step"), "must be a mesh file, .stl or .obj");
-  EXPECT_EQ(problem(read_mesh_file("/dev/zero", 1)), "must be a mesh file, .stl or .obj");
+  EXPECT_EQ(read("mesh.3mf"), "must be a mesh file, .stl, .obj, .ply or .glb");
+  EXPECT_NE(read("mesh.STEP").find("make an STL file of it"), std::string::npos);
+  EXPECT_EQ(read("mesh.gltf"), "is glTF in several files: save it as one binary file, .glb");
+  EXPECT_EQ(problem(read_mesh_file("/dev/zero", 1)), "must be a mesh file, .stl, .obj, .ply or .glb");
   samples::write_file(folder + "/empty.obj", "");
   EXPECT_EQ(std::get<MeshData>(read_mesh_file(folder + "/empty.obj", 1)).triangles.size(), 0u);
   samples::write_file(folder + "/BOX.STL", samples::binary_stl(samples::box({1, 1, 1})));

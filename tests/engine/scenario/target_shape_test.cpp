@@ -90,10 +90,10 @@ TEST_F(TargetShapeTest, TheCommandLineMayNameAnyPath) {
 }
 
 TEST_F(TargetShapeTest, BadMeshesHaveTheirSentence) {
-  EXPECT_EQ(problem_with(""), "target.mesh_file: the shape \"mesh\" needs a file, .stl or .obj");
+  EXPECT_EQ(problem_with(""), "target.mesh_file: the shape \"mesh\" needs a file, .stl, .obj, .ply or .glb");
   EXPECT_EQ(problem_with("none.stl"), "target.mesh_file: \"none.stl\" does not exist");
-  EXPECT_EQ(problem_with("own.toml"), "target.mesh_file: \"own.toml\" must be a mesh file, .stl or .obj");
-  EXPECT_EQ(problem_with("meshes"), "target.mesh_file: \"meshes\" must be a mesh file, .stl or .obj");
+  EXPECT_EQ(problem_with("own.toml"), "target.mesh_file: \"own.toml\" must be a mesh file, .stl, .obj, .ply or .glb");
+  EXPECT_EQ(problem_with("meshes"), "target.mesh_file: \"meshes\" must be a mesh file, .stl, .obj, .ply or .glb");
   EXPECT_EQ(problem_with("meshes/box.obj"), "");
   MeshData open = samples::box({1, 1, 1});
   open.triangles.pop_back();
