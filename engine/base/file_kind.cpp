@@ -31,6 +31,9 @@ bool is_text(Content content) {
 }
 
 bool is_hdf5(Content content) { return begins(content, "\x89HDF\r\n\x1a\n"); }
+// The name of the only group that such a file must have; it is in the file's first links.
+bool is_vtkhdf(Content content) { return is_hdf5(content) && contains(content, "VTKHDF"); }
+bool is_recording(Content content) { return is_hdf5(content) && !is_vtkhdf(content); }
 bool is_png(Content content) { return begins(content, "\x89PNG\r\n\x1a\n"); }
 bool is_pdf(Content content) { return begins(content, "%PDF"); }
 bool is_video(Content content) { return content.substr(std::min<std::size_t>(4, content.size()), 4) == "ftyp"; }
@@ -126,7 +129,7 @@ struct Kind {
 };
 
 constexpr std::array kKinds = {
-    Kind{FileKind::recording, "a recording", ".h5", is_hdf5},
+    Kind{FileKind::recording, "a recording", ".h5", is_recording},
     Kind{FileKind::png, "a PNG picture", ".png", is_png},
     Kind{FileKind::svg, "an SVG picture", ".svg", is_svg},
     Kind{FileKind::pdf, "a PDF document", ".pdf", is_pdf},
@@ -136,6 +139,7 @@ constexpr std::array kKinds = {
     Kind{FileKind::csv, "a CSV table", ".csv", is_data},
     Kind{FileKind::vtp, "a VTK mesh", ".vtp", is_vtk},
     Kind{FileKind::pvd, "a ParaView series", ".pvd", is_vtk},
+    Kind{FileKind::vtkhdf, "a VTKHDF series", ".vtkhdf", is_vtkhdf},
     Kind{FileKind::view, "a view", ".toml", is_view},
     Kind{FileKind::markdown, "a Markdown report", ".md", is_markdown},
     Kind{FileKind::json, "a JSON file", ".json", is_data},
@@ -159,12 +163,12 @@ constexpr std::array<std::pair<FileKind, std::string_view>, 6> kOtherSuffixes = 
                                                                                   {FileKind::markdown, ".txt"}}};
 
 // Suffixes of formats that this program does not write.
-constexpr std::array<std::string_view, 58> kForeignSuffixes = {
-    ".jpg", ".jpeg", ".gif",    ".bmp",  ".tif", ".tiff", ".webp", ".eps",  ".ps",  ".avif", ".exr", ".ppm",
-    ".mov", ".avi",  ".mkv",    ".webm", ".mpg", ".ogv",  ".mpeg", ".gltf", ".ply", ".fbx",  ".usd", ".usdz",
-    ".dae", ".3mf",  ".step",   ".stp",  ".igs", ".tsv",  ".xls",  ".ods",  ".xml", ".yaml", ".yml", ".ini",
-    ".rst", ".doc",  ".docx",   ".odt",  ".tex", ".nc",   ".mat",  ".npy",  ".npz", ".vtu",  ".vtk", ".py",
-    ".sh",  ".xlsx", ".vtkhdf", ".zip",  ".gz",  ".tar",  ".7z",   ".xz",   ".bz2", ".apng"};
+constexpr std::array<std::string_view, 57> kForeignSuffixes = {
+    ".jpg", ".jpeg", ".gif",  ".bmp",  ".tif", ".tiff", ".webp", ".eps",  ".ps",  ".avif", ".exr", ".ppm",
+    ".mov", ".avi",  ".mkv",  ".webm", ".mpg", ".ogv",  ".mpeg", ".gltf", ".ply", ".fbx",  ".usd", ".usdz",
+    ".dae", ".3mf",  ".step", ".stp",  ".igs", ".tsv",  ".xls",  ".ods",  ".xml", ".yaml", ".yml", ".ini",
+    ".rst", ".doc",  ".docx", ".odt",  ".tex", ".nc",   ".mat",  ".npy",  ".npz", ".vtu",  ".vtk", ".py",
+    ".sh",  ".xlsx", ".zip",  ".gz",   ".tar", ".7z",   ".xz",   ".bz2",  ".apng"};
 
 std::string suffix_of(const std::string& path) {
   std::string text = std::filesystem::path(path).extension().string();
@@ -189,6 +193,7 @@ bool may_replace(FileKind kind, std::string_view content) {
 }
 
 std::string_view marked_description(std::string_view content) {
+  if (is_vtkhdf(content)) return description(FileKind::vtkhdf);
   if (is_hdf5(content)) return "an HDF5 file, such as a recording";
   for (const FileKind kind : {FileKind::png, FileKind::pdf, FileKind::video, FileKind::gltf, FileKind::html,
                               FileKind::svg, FileKind::vtp, FileKind::log, FileKind::stl, FileKind::obj}) {

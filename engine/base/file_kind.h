@@ -25,7 +25,8 @@ enum class FileKind {
   stl,
   obj,
   scenario,
-  findings
+  findings,
+  vtkhdf
 };
 
 // With its article, e.g. "a PNG picture".

@@ -34,7 +34,7 @@ constexpr std::array kCommands = {
     Command{"render", "draw pictures, a contact sheet or a video of a recording", declare_render},
     Command{"plot", "draw the paper's figures for one recording or several", declare_plot},
     Command{"report", "one HTML page about a recording or several", declare_report},
-    Command{"export", "write a recording as CSV or for ParaView", declare_export},
+    Command{"export", "write a recording for other programs: CSV, JSON, ParaView, glTF", declare_export},
     Command{"info", "what a recording holds and came to", declare_info},
     Command{"metrics", "how well a recorded capture works, in numbers", declare_metrics},
     Command{"findings", "whether recordings show what the paper found", declare_findings},

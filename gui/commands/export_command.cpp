@@ -20,7 +20,9 @@
 #include "gui/commands/progress_line.h"
 #include "gui/commands/recordings.h"
 #include "gui/commands/standard_streams.h"
+#include "render/output/export_vtkhdf.h"
 #include "render/output/export_vtp.h"
+#include "render/output/write_animation.h"
 
 namespace netpocket {
 namespace {
@@ -28,11 +30,16 @@ namespace {
 constexpr const char* kExportHelp = R"(--csv writes channels.csv: one row for each recorded frame.
 --json writes summary.json, metrics.json and scenario.json: what info, metrics and check print with --json.
 --vtp writes netpocket.pvd, for ParaView: cords and rods with tension, strain and velocity, and the bodies.
+--vtkhdf writes the same as lines.vtkhdf and bodies.vtkhdf, with all times in one file each (ParaView 5.12, VTK 9.3).
+--gltf writes the whole capture as an animation for browsers, Blender and slides. Without --keys it has at most 300
+moments, evenly spread; viewers interpolate between them.
 
 Examples:
   netpocket export case1.h5 --csv case1
   netpocket export case1.h5 --json case1
   netpocket export case1.h5 --vtp case1/paraview
+  netpocket export case1.h5 --vtkhdf case1
+  netpocket export case1.h5 --gltf case1.glb
 
 )";
 
@@ -45,19 +52,28 @@ struct ExportChoice {
   std::string csv;
   std::string json;
   std::string vtp;
+  std::string vtkhdf;
+  std::string gltf;
+  int keys = AnimationOptions().most_keys;
   bool quiet = false;
 };
 
-ExitCode export_series(const Recording& recording, const ExportChoice& choice) {
+// Shows how far an export is, and ends it when the user does.
+template <typename Export>
+RenderOutcome with_progress(const ExportChoice& choice, const Export& export_frames) {
   const Interrupt interrupt;
-  const RenderOutcome outcome = [&] {
-    ProgressLine line(!choice.quiet);
-    const auto show = [&](const RenderProgress& p) {
-      line.update(static_cast<double>(p.done) / static_cast<double>(p.total),
-                  fmt::format("frame {} of {}, {} left", p.done, p.total, duration_text(p.seconds_left)));
-    };
-    return export_vtp(recording, choice.vtp, {}, show, interrupt.token());
-  }();
+  ProgressLine line(!choice.quiet);
+  const auto show = [&](const RenderProgress& p) {
+    line.update(static_cast<double>(p.done) / static_cast<double>(p.total),
+                fmt::format("frame {} of {}, {} left", p.done, p.total, duration_text(p.seconds_left)));
+  };
+  return export_frames(show, interrupt.token());
+}
+
+ExitCode export_series(const Recording& recording, const ExportChoice& choice) {
+  const RenderOutcome outcome = with_progress(choice, [&](const auto& show, const std::stop_token& stop) {
+    return export_vtp(recording, choice.vtp, {}, show, stop);
+  });
   if (outcome != RenderOutcome::finished) {
     say(fmt::format("interrupted; \"{}/{}\" lists the frames that were written", choice.vtp, kSeriesName));
     return ExitCode::interrupted;
@@ -68,6 +84,25 @@ ExitCode export_series(const Recording& recording, const ExportChoice& choice) {
     note_older_files(choice.vtp, part + "_", ".vtp", files);
   }
   return ExitCode::ok;
+}
+
+ExitCode when_interrupted(const std::string& target) {
+  say(fmt::format("interrupted; nothing was written to \"{}\"", target));
+  return ExitCode::interrupted;
+}
+
+ExitCode export_animation(const Recording& recording, const ExportChoice& choice) {
+  const RenderOutcome outcome = with_progress(choice, [&](const auto& show, const std::stop_token& stop) {
+    return write_animation(recording, choice.gltf, {choice.keys}, show, stop);
+  });
+  return outcome == RenderOutcome::finished ? ExitCode::ok : when_interrupted(choice.gltf);
+}
+
+ExitCode export_steps(const Recording& recording, const ExportChoice& choice) {
+  const RenderOutcome outcome = with_progress(choice, [&](const auto& show, const std::stop_token& stop) {
+    return export_vtkhdf(recording, choice.vtkhdf, show, stop);
+  });
+  return outcome == RenderOutcome::finished ? ExitCode::ok : when_interrupted(choice.vtkhdf);
 }
 
 std::string json_file(const ExportChoice& choice, const char* name) {
@@ -89,8 +124,8 @@ void export_json(const Recording& recording, const ExportChoice& choice) {
 }
 
 ExitCode export_recording(const ExportChoice& choice) {
-  if (choice.csv.empty() && choice.json.empty() && choice.vtp.empty()) {
-    throw CommandError(ExitCode::usage, "nothing to write: give --csv, --json or --vtp");
+  if (choice.csv.empty() && choice.json.empty() && choice.vtp.empty() && choice.vtkhdf.empty() && choice.gltf.empty()) {
+    throw CommandError(ExitCode::usage, "nothing to write: give --csv, --json, --vtp, --vtkhdf or --gltf");
   }
   const Recording recording = open_recording(choice.recording);
   const std::string table = choice.csv + "/channels.csv";
@@ -108,9 +143,20 @@ ExitCode export_recording(const ExportChoice& choice) {
     make_folder(choice.vtp);
     outputs.add("--vtp", fmt::format("{}/{}", choice.vtp, kSeriesName), FileKind::pvd);
   }
+  if (!choice.vtkhdf.empty()) {
+    make_folder(choice.vtkhdf);
+    for (const std::string& file : vtkhdf_files(recording, choice.vtkhdf)) {
+      outputs.add("--vtkhdf", file, FileKind::vtkhdf);
+    }
+  }
+  if (!choice.gltf.empty()) outputs.add("--gltf", choice.gltf, FileKind::gltf);
   if (!choice.csv.empty()) write_channels_csv(recording, table);
   if (!choice.json.empty()) export_json(recording, choice);
-  return choice.vtp.empty() ? ExitCode::ok : export_series(recording, choice);
+  ExitCode result = ExitCode::ok;
+  if (!choice.vtp.empty()) result = export_series(recording, choice);
+  if (result == ExitCode::ok && !choice.vtkhdf.empty()) result = export_steps(recording, choice);
+  if (result == ExitCode::ok && !choice.gltf.empty()) result = export_animation(recording, choice);
+  return result;
 }
 
 }  // namespace
@@ -121,6 +167,12 @@ Action declare_export(CLI::App& app) {
   app.add_option("--csv", choice->csv, "folder for channels.csv")->type_name("DIR");
   app.add_option("--json", choice->json, "folder for summary, metrics and scenario as JSON")->type_name("DIR");
   app.add_option("--vtp", choice->vtp, "folder for a series that ParaView opens")->type_name("DIR");
+  app.add_option("--vtkhdf", choice->vtkhdf, "folder for the same as files with time steps")->type_name("DIR");
+  app.add_option("--gltf", choice->gltf, "animation of the whole capture (.glb)")->type_name("FILE");
+  app.add_option("--keys", choice->keys, "most moments of the animation")
+      ->type_name("N")
+      ->check(whole_number(2, 100000))
+      ->capture_default_str();
   app.add_flag("--quiet", choice->quiet, "no progress");
   app.footer(kExportHelp +
              exit_code_help({ExitCode::bad_input, ExitCode::io, ExitCode::rendering, ExitCode::interrupted}));

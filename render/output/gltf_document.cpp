@@ -18,8 +18,17 @@ namespace netpocket {
 namespace {
 
 // Names of numbers in the specification (OpenGL's).
-constexpr int kFloat = 5126, kUnsignedInt = 5125, kArrayBuffer = 34962, kElementArrayBuffer = 34963;
+constexpr int kFloat = 5126, kUnsignedInt = 5125, kUnsignedShort = 5123, kUnsignedByte = 5121;
+constexpr int kArrayBuffer = 34962, kElementArrayBuffer = 34963, kNoTarget = 0;
 constexpr int kLines = 1, kTriangles = 4;
+constexpr double kRoughness = 0.6;
+
+using Json = nlohmann::ordered_json;
+
+std::size_t components_of(std::string_view type) {
+  if (type == "SCALAR") return 1;
+  return type == "VEC3" ? 3 : type == "VEC4" ? 4 : 16;
+}
 
 // glTF's colours are linear; ours are sRGB (IEC 61966-2-1).
 float linear(double srgb) {
@@ -85,24 +94,35 @@ struct GltfDocument::Corners {
   }
 };
 
+void GltfTrack::add(const Eigen::Vector3d& position) {
+  for (int c = 0; c < 3; ++c) translations.push_back(static_cast<float>(position[c]));
+}
+
+void GltfTrack::add(const Eigen::Vector3d& position, const Eigen::Quaterniond& attitude) {
+  add(position);
+  Eigen::Vector4f turn = attitude.normalized().coeffs().cast<float>();
+  if (!rotations.empty() && Eigen::Map<const Eigen::Vector4f>(rotations.data() + rotations.size() - 4).dot(turn) < 0) {
+    turn = -turn;
+  }
+  rotations.insert(rotations.end(), turn.begin(), turn.end());
+}
+
 GltfDocument::GltfDocument() {
   json_["asset"] = {{"version", "2.0"}, {"generator", "netpocket"}};
   json_["extensionsUsed"] = {"KHR_materials_unlit"};
   json_["scene"] = 0;
-  json_["scenes"] = {{{"nodes", nlohmann::ordered_json::array()}}};
-  for (const char* list : {"nodes", "meshes", "materials", "accessors", "bufferViews"}) {
-    json_[list] = nlohmann::ordered_json::array();
-  }
+  json_["scenes"] = {{{"nodes", Json::array()}}};
+  for (const char* list : {"nodes", "meshes", "materials", "accessors", "bufferViews"}) json_[list] = Json::array();
 }
 
-void GltfDocument::add(const std::string& name, vtkActor& actor) {
+std::optional<std::size_t> GltfDocument::add_mesh(const std::string& name, vtkActor& actor) {
   auto* mesh = vtkPolyDataMapper::SafeDownCast(actor.GetMapper())->GetInput();
   auto* normals = mesh->GetPointData()->GetNormals();
   auto* colors = mesh->GetPointData()->GetScalars();
   const bool solid = mesh->GetNumberOfPolys() > 0;
   const Corners corners(solid ? triangles(*mesh->GetPolys(), normals) : line_pieces(*mesh->GetLines()),
                         mesh->GetNumberOfPoints());
-  if (corners.indices.empty()) return;
+  if (corners.indices.empty()) return std::nullopt;
   std::vector<float> positions, directions, shades;
   for (const auto point : corners.points) {
     const double* position = mesh->GetPoint(point);
@@ -116,78 +136,180 @@ void GltfDocument::add(const std::string& name, vtkActor& actor) {
       for (int c = 0; c < 3; ++c) shades.push_back(linear(colors->GetComponent(point, c) / 255));
     }
   }
-  nlohmann::ordered_json attributes;
-  attributes["POSITION"] = add_floats(positions, 3, true);
-  if (!directions.empty()) attributes["NORMAL"] = add_floats(directions, 3, false);
-  if (!shades.empty()) attributes["COLOR_0"] = add_floats(shades, 3, false);
-  nlohmann::ordered_json primitive = {{"attributes", attributes},
-                                      {"indices", add_indices(corners.indices)},
-                                      {"material", add_material(actor, !shades.empty(), !solid)},
-                                      {"mode", solid ? kTriangles : kLines}};
-  nlohmann::ordered_json node = {{"name", name}, {"mesh", json_["meshes"].size()}};
+  Json attributes;
+  attributes["POSITION"] = add_floats(positions, "VEC3", true);
+  if (!directions.empty()) attributes["NORMAL"] = add_floats(directions, "VEC3", false);
+  if (!shades.empty()) attributes["COLOR_0"] = add_floats(shades, "VEC3", false);
+  const Json primitive = {{"attributes", attributes},
+                          {"indices", add_indices(corners.indices)},
+                          {"material", add_material(actor, !shades.empty(), !solid)},
+                          {"mode", solid ? kTriangles : kLines}};
+  json_["meshes"].push_back({{"name", name}, {"primitives", {primitive}}});
+  return json_["meshes"].size() - 1;
+}
+
+void GltfDocument::add(const std::string& name, vtkActor& actor) {
+  const auto mesh = add_mesh(name, actor);
+  if (!mesh) return;
   actor.ComputeMatrix();
   const auto* matrix = actor.GetMatrix();
-  auto columns = nlohmann::ordered_json::array();
+  auto columns = Json::array();
   for (int column = 0; column < 4; ++column) {
     for (int row = 0; row < 4; ++row) columns.push_back(matrix->GetElement(row, column));
   }
-  node["matrix"] = columns;
-  json_["scenes"][0]["nodes"].push_back(json_["nodes"].size());
-  json_["nodes"].push_back(node);
-  json_["meshes"].push_back({{"name", name}, {"primitives", {primitive}}});
+  json_["scenes"][0]["nodes"].push_back(add_node({{"name", name}, {"mesh", *mesh}, {"matrix", columns}}));
 }
 
-int GltfDocument::add_material(vtkActor& actor, bool colored, bool lines) {
+void GltfDocument::set_keys(const std::vector<float>& times) {
+  keys_ = add_floats(times, "SCALAR", true, false);
+  json_["animations"] = {{{"name", "capture"}, {"channels", Json::array()}, {"samplers", Json::array()}}};
+}
+
+void GltfDocument::add_moving(const GltfTrack& track, const std::vector<std::size_t>& meshes) {
+  auto children = Json::array();
+  for (const std::size_t mesh : meshes) children.push_back(add_node({{"mesh", mesh}}));
+  json_["scenes"][0]["nodes"].push_back(add_track(track, {{"name", track.name}, {"children", children}}));
+}
+
+void GltfDocument::add_skinned(const std::string& name, const std::vector<GltfTrack>& joints,
+                               const std::vector<GltfSkinnedPart>& parts) {
+  auto nodes = Json::array(), primitives = Json::array();
+  std::vector<float> unplaced;  // from the first key to the joint's own axes
+  for (const GltfTrack& joint : joints) {
+    Eigen::Isometry3f place = Eigen::Isometry3f::Identity();
+    place.translation() = Eigen::Map<const Eigen::Vector3f>(joint.translations.data());
+    if (!joint.rotations.empty()) place.linear() = Eigen::Quaternionf(joint.rotations.data()).toRotationMatrix();
+    const Eigen::Matrix4f inverse = place.inverse().matrix();
+    unplaced.insert(unplaced.end(), inverse.data(), inverse.data() + inverse.size());
+    nodes.push_back(add_track(joint, {{"name", joint.name}}));
+  }
+  for (const GltfSkinnedPart& part : parts) primitives.push_back(skinned_primitive(part));
+  const std::size_t skeleton = add_node({{"name", name + " joints"}, {"children", nodes}});
+  if (!json_.contains("skins")) json_["skins"] = Json::array();
+  json_["skins"].push_back({{"name", name},
+                            {"inverseBindMatrices", add_floats(unplaced, "MAT4", false, false)},
+                            {"joints", nodes},
+                            {"skeleton", skeleton}});
+  json_["meshes"].push_back({{"name", name}, {"primitives", primitives}});
+  const std::size_t shown =
+      add_node({{"name", name}, {"mesh", json_["meshes"].size() - 1}, {"skin", json_["skins"].size() - 1}});
+  for (const std::size_t node : {skeleton, shown}) json_["scenes"][0]["nodes"].push_back(node);
+}
+
+Json GltfDocument::skinned_primitive(const GltfSkinnedPart& part) {
+  Json attributes;
+  attributes["POSITION"] = add_floats(part.positions, "VEC3", true);
+  if (!part.normals.empty()) attributes["NORMAL"] = add_floats(part.normals, "VEC3", false);
+  // Each point follows one joint alone; the format has places for four.
+  std::vector<std::uint16_t> joints;
+  std::vector<std::uint8_t> weights;
+  for (const std::uint16_t joint : part.joints) {
+    joints.insert(joints.end(), {joint, 0, 0, 0});
+    weights.insert(weights.end(), {255, 0, 0, 0});
+  }
+  const std::size_t count = part.joints.size();
+  attributes["JOINTS_0"] =
+      add_accessor(add_view(joints.data(), 2 * joints.size(), kArrayBuffer), kUnsignedShort, count, "VEC4");
+  attributes["WEIGHTS_0"] =
+      add_accessor(add_view(weights.data(), weights.size(), kArrayBuffer), kUnsignedByte, count, "VEC4");
+  json_["accessors"].back()["normalized"] = true;
+  auto factor = Json::array();
+  for (const double c : part.color) factor.push_back(linear(c));
+  factor.push_back(1);
+  Json material = {
+      {"pbrMetallicRoughness", {{"baseColorFactor", factor}, {"metallicFactor", 0}, {"roughnessFactor", kRoughness}}}};
+  if (part.normals.empty()) {
+    material["doubleSided"] = true;
+    material["extensions"] = {{"KHR_materials_unlit", Json::object()}};
+  }
+  return {{"attributes", attributes},
+          {"indices", add_indices(part.triangles)},
+          {"material", add_material(material)},
+          {"mode", kTriangles}};
+}
+
+std::size_t GltfDocument::add_node(Json node) {
+  json_["nodes"].push_back(std::move(node));
+  return json_["nodes"].size() - 1;
+}
+
+// Whoever plays no animation sees the first key.
+std::size_t GltfDocument::add_track(const GltfTrack& track, Json node) {
+  node["translation"] = {track.translations[0], track.translations[1], track.translations[2]};
+  if (!track.rotations.empty()) {
+    node["rotation"] = std::vector<float>(track.rotations.begin(), track.rotations.begin() + 4);
+  }
+  const std::size_t index = add_node(std::move(node));
+  animate(index, "translation", track.translations, "VEC3");
+  if (!track.rotations.empty()) animate(index, "rotation", track.rotations, "VEC4");
+  return index;
+}
+
+void GltfDocument::animate(std::size_t node, const char* path, const std::vector<float>& values, const char* type) {
+  Json& animation = json_["animations"][0];
+  animation["channels"].push_back(
+      {{"sampler", animation["samplers"].size()}, {"target", {{"node", node}, {"path", path}}}});
+  animation["samplers"].push_back({{"input", keys_}, {"output", add_floats(values, type, false, false)}});
+}
+
+std::size_t GltfDocument::add_material(vtkActor& actor, bool colored, bool lines) {
   auto* property = actor.GetProperty();
   const double* color = property->GetColor();
-  auto factor = nlohmann::ordered_json::array();
+  auto factor = Json::array();
   for (int c = 0; c < 3; ++c) factor.push_back(colored ? 1.0F : linear(color[c]));
   factor.push_back(property->GetOpacity());
-  nlohmann::ordered_json material;
-  material["pbrMetallicRoughness"] = {{"baseColorFactor", factor}, {"metallicFactor", 0}, {"roughnessFactor", 0.6}};
+  Json material;
+  material["pbrMetallicRoughness"] = {
+      {"baseColorFactor", factor}, {"metallicFactor", 0}, {"roughnessFactor", kRoughness}};
   if (property->GetOpacity() < 1) material["alphaMode"] = "BLEND";
-  if (lines) material["extensions"] = {{"KHR_materials_unlit", nlohmann::ordered_json::object()}};
-  json_["materials"].push_back(material);
-  return static_cast<int>(json_["materials"].size()) - 1;
+  if (lines) material["extensions"] = {{"KHR_materials_unlit", Json::object()}};
+  return add_material(std::move(material));
 }
 
-int GltfDocument::add_floats(const std::vector<float>& values, int components, bool with_limits) {
-  const auto count = values.size() / static_cast<std::size_t>(components);
-  nlohmann::ordered_json accessor = {{"bufferView", add_view(values.data(), 4 * values.size(), kArrayBuffer)},
-                                     {"componentType", kFloat},
-                                     {"count", count},
-                                     {"type", "VEC3"}};
-  if (with_limits) {
-    auto low = nlohmann::ordered_json::array(), high = low;
-    for (int c = 0; c < components; ++c) {
-      float smallest = values[c], largest = values[c];
-      for (std::size_t i = static_cast<std::size_t>(c); i < values.size(); i += static_cast<std::size_t>(components)) {
-        smallest = std::min(smallest, values[i]);
-        largest = std::max(largest, values[i]);
-      }
-      low.push_back(smallest);
-      high.push_back(largest);
+std::size_t GltfDocument::add_material(Json material) {
+  json_["materials"].push_back(std::move(material));
+  return json_["materials"].size() - 1;
+}
+
+std::size_t GltfDocument::add_floats(const std::vector<float>& values, const char* type, bool with_limits,
+                                     bool of_points) {
+  const std::size_t components = components_of(type);
+  const std::size_t view = add_view(values.data(), 4 * values.size(), of_points ? kArrayBuffer : kNoTarget);
+  const std::size_t index = add_accessor(view, kFloat, values.size() / components, type);
+  if (!with_limits) return index;
+  auto low = Json::array(), high = Json::array();
+  for (std::size_t c = 0; c < components; ++c) {
+    float smallest = values[c], largest = values[c];
+    for (std::size_t i = c; i < values.size(); i += components) {
+      smallest = std::min(smallest, values[i]);
+      largest = std::max(largest, values[i]);
     }
-    accessor["min"] = low;
-    accessor["max"] = high;
+    low.push_back(smallest);
+    high.push_back(largest);
   }
-  json_["accessors"].push_back(accessor);
-  return static_cast<int>(json_["accessors"].size()) - 1;
+  json_["accessors"][index]["min"] = low;
+  json_["accessors"][index]["max"] = high;
+  return index;
 }
 
-int GltfDocument::add_indices(const std::vector<std::uint32_t>& indices) {
-  json_["accessors"].push_back({{"bufferView", add_view(indices.data(), 4 * indices.size(), kElementArrayBuffer)},
-                                {"componentType", kUnsignedInt},
-                                {"count", indices.size()},
-                                {"type", "SCALAR"}});
-  return static_cast<int>(json_["accessors"].size()) - 1;
+std::size_t GltfDocument::add_indices(const std::vector<std::uint32_t>& indices) {
+  const std::size_t view = add_view(indices.data(), 4 * indices.size(), kElementArrayBuffer);
+  return add_accessor(view, kUnsignedInt, indices.size(), "SCALAR");
 }
 
-int GltfDocument::add_view(const void* data, std::size_t size, int target) {
-  json_["bufferViews"].push_back(
-      {{"buffer", 0}, {"byteOffset", buffer_.size()}, {"byteLength", size}, {"target", target}});
+std::size_t GltfDocument::add_accessor(std::size_t view, int component, std::size_t count, const char* type) {
+  json_["accessors"].push_back({{"bufferView", view}, {"componentType", component}, {"count", count}, {"type", type}});
+  return json_["accessors"].size() - 1;
+}
+
+// Begins at a multiple of four bytes, as every component may ask for.
+std::size_t GltfDocument::add_view(const void* data, std::size_t size, int target) {
+  pad(buffer_, '\0');
+  Json view = {{"buffer", 0}, {"byteOffset", buffer_.size()}, {"byteLength", size}};
+  if (target != kNoTarget) view["target"] = target;
+  json_["bufferViews"].push_back(std::move(view));
   buffer_.append(static_cast<const char*>(data), size);
-  return static_cast<int>(json_["bufferViews"].size()) - 1;
+  return json_["bufferViews"].size() - 1;
 }
 
 std::string GltfDocument::bytes() const {

@@ -34,6 +34,8 @@ constexpr std::array kKinds = {
     KindEntry{QT_TRANSLATE_NOOP("ExportDialog", "Figures of the paper"), "_figures", false, false},
     KindEntry{QT_TRANSLATE_NOOP("ExportDialog", "Channels (CSV)"), "_csv", false, false},
     KindEntry{QT_TRANSLATE_NOOP("ExportDialog", "ParaView series"), "_paraview", false, false},
+    KindEntry{QT_TRANSLATE_NOOP("ExportDialog", "ParaView files with time steps (VTKHDF)"), "_vtkhdf", false, false},
+    KindEntry{QT_TRANSLATE_NOOP("ExportDialog", "The whole capture in three dimensions (glTF)"), ".glb", false, false},
 };
 
 QComboBox* make_choice(const std::initializer_list<std::pair<QString, QString>>& entries) {
@@ -138,7 +140,7 @@ void ExportDialog::kind_changed() {
 
 void ExportDialog::browse() {
   const bool is_file = kind() == ExportKind::video || kind() == ExportKind::sheet || kind() == ExportKind::moment ||
-                       kind() == ExportKind::report;
+                       kind() == ExportKind::report || kind() == ExportKind::animation;
   const auto asks_later = QFileDialog::DontConfirmOverwrite;
   const QString path = is_file ? QFileDialog::getSaveFileName(this, tr("Export to"), target(), {}, nullptr, asks_later)
                                : QFileDialog::getExistingDirectory(this, tr("Export to"), folder_);
@@ -185,6 +187,10 @@ QStringList ExportDialog::arguments(const QString& recording, const QString& vie
       return {"export", recording, "--csv", target()};
     case ExportKind::paraview:
       return {"export", recording, "--vtp", target()};
+    case ExportKind::paraview_steps:
+      return {"export", recording, "--vtkhdf", target()};
+    case ExportKind::animation:
+      return {"export", recording, "--gltf", target()};
     case ExportKind::report:
       return {"report", recording, "-o", target()};
     case ExportKind::moment:

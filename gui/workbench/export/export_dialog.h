@@ -16,7 +16,7 @@ class QLineEdit;
 
 namespace netpocket {
 
-enum class ExportKind { pictures, video, sheet, moment, report, figures, csv, paraview };
+enum class ExportKind { pictures, video, sheet, moment, report, figures, csv, paraview, paraview_steps, animation };
 
 // What the view shows, which pictures may show alike.
 struct ShownView {

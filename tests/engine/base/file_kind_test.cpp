@@ -35,6 +35,7 @@ TEST(FileKind, ContentIsReplacedByItsLike) {
                                                   {FileKind::svg, svg},
                                                   {FileKind::vtp, vtk},
                                                   {FileKind::pvd, vtk},
+                                                  {FileKind::vtkhdf, hdf5 + "VTKHDF"},
                                                   {FileKind::html, page},
                                                   {FileKind::log, log},
                                                   {FileKind::video, video},
@@ -68,6 +69,7 @@ TEST(FileKind, ContentIsReplacedByItsLike) {
     EXPECT_FALSE(may_replace(FileKind::scenario, other)) << other;
   }
   EXPECT_FALSE(may_replace(FileKind::view, "focal_point = 1\n[net]\n"));
+  EXPECT_FALSE(may_replace(FileKind::recording, hdf5 + "VTKHDF"));
   EXPECT_FALSE(may_replace(FileKind::svg, vtk));
   EXPECT_FALSE(may_replace(FileKind::markdown, "# Case 1\n" + scenario));
   EXPECT_TRUE(may_replace(FileKind::markdown, "# Findings\n\n[Tang et al.](https://doi.org) a = b\n"));
