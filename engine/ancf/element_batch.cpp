@@ -77,6 +77,18 @@ ElementBatch::ElementBatch(std::span<const BatchElement> elements)
     block.section = index_of(rows);
   }
   find_strain_partners(elements);
+  find_whole();
+}
+
+void ElementBatch::find_whole() {
+  const auto reads_runs = [](const ElementBlock& block) {
+    return std::ranges::all_of(block.base, [](std::int32_t base) { return base >= 0; });
+  };
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    ElementBlock& block = blocks_[b];
+    block.whole = reads_runs(block) && block.pairing != Pairing::elsewhere &&
+                  (block.pairing != Pairing::first || reads_runs(blocks_[b + 1]));
+  }
 }
 
 void ElementBatch::find_strain_partners(std::span<const BatchElement> elements) {

@@ -62,6 +62,7 @@ struct alignas(64) ElementBlock {
   std::int32_t strain_partners;  // for Pairing::elsewhere: row of the table of strain partners
   bool variable;                 // whether the length of at least one lane changes
   Pairing pairing;
+  bool whole;  // whether all corners read runs, also those of a pair's next block, and no strain partner is elsewhere
   alignas(64) double length_rate[kBlockSize];  // (dL/dt)/L, 1/s
   std::int32_t coordinate[4][kBlockSize];
 };
@@ -113,6 +114,7 @@ class ElementBatch {
  private:
   std::int32_t index_of(const SectionRows& rows);
   void find_strain_partners(std::span<const BatchElement> elements);
+  void find_whole();
 
   int element_count_ = 0;
   std::vector<ElementBlock> blocks_;

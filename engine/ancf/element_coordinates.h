@@ -18,14 +18,17 @@ NETPOCKET_INLINE SimdVector gather_coordinates(const double* rows, const std::in
   return gather3(rows, place);
 }
 
+// Of a corner that reads a run.
+NETPOCKET_INLINE SimdVector load_run(const CoordinateRows& rows, const ElementBlock& block, int corner, int part) {
+  const double* row = rows.first + static_cast<std::ptrdiff_t>(block.base[corner]) * kVectorRows;
+  const int rotation = block.rotation[corner];
+  return {load_rotated(row, part, rotation), load_rotated(row + kBlock, part, rotation),
+          load_rotated(row + 2 * kBlock, part, rotation)};
+}
+
 NETPOCKET_INLINE SimdVector load_coordinate(const CoordinateRows& rows, const ElementBlock& block, int corner,
                                             int part) {
-  if (block.base[corner] >= 0) {
-    const double* row = rows.first + static_cast<std::ptrdiff_t>(block.base[corner]) * kVectorRows;
-    const int rotation = block.rotation[corner];
-    return {load_rotated(row, part, rotation), load_rotated(row + kBlock, part, rotation),
-            load_rotated(row + 2 * kBlock, part, rotation)};
-  }
+  if (block.base[corner] >= 0) return load_run(rows, block, corner, part);
   return gather_coordinates(rows.first, block.coordinate[corner], part);
 }
 

@@ -60,7 +60,8 @@ std::vector<std::int32_t> divide(const std::vector<std::vector<LaneContribution>
 
 }  // namespace
 
-Assembly::Assembly(std::span<const BatchElement> elements, std::int32_t coordinate_count, int threads) {
+Assembly::Assembly(std::span<const BatchElement> elements, std::int32_t coordinate_count, int threads,
+                   std::span<const std::uint8_t> is_last) {
   std::vector<std::vector<LaneContribution>> by_block(coordinate_count / kBlockSize);
   for (std::size_t i = 0; i < elements.size(); ++i) {
     for (int corner = 0; corner < 4; ++corner) {
@@ -73,7 +74,12 @@ Assembly::Assembly(std::span<const BatchElement> elements, std::int32_t coordina
     }
   }
   place_.resize(by_block.size());
-  for (const std::int32_t coordinate_block : divide(by_block, threads)) {
+  std::vector<std::int32_t> order = divide(by_block, threads);
+  if (!is_last.empty()) {
+    std::ranges::stable_partition(order,
+                                  [&](std::int32_t block) { return is_last[static_cast<std::size_t>(block)] == 0; });
+  }
+  for (const std::int32_t coordinate_block : order) {
     place_[coordinate_block] = static_cast<std::int32_t>(blocks_.size());
     add_block(coordinate_block, by_block[coordinate_block]);
   }

@@ -12,12 +12,17 @@ namespace netpocket {
 
 class Assembly {
  public:
-  // `threads`: number of threads that share the coordinate blocks.
-  Assembly(std::span<const BatchElement> elements, std::int32_t coordinate_count, int threads);
+  // `threads`: number of threads that share the coordinate blocks. `is_last`: by block of coordinates, whether the
+  // block comes after all others (0: no); empty: none.
+  Assembly(std::span<const BatchElement> elements, std::int32_t coordinate_count, int threads,
+           std::span<const std::uint8_t> is_last = {});
 
   int block_count() const { return static_cast<int>(blocks_.size()); }
   // Fills the first four members of `view`. They point into this object, which must outlive the view.
   void describe(update_kernel::UpdateView& view) const;
+  const update_kernel::CoordinateBlock& block(std::int32_t coordinate_block) const {
+    return blocks_[static_cast<std::size_t>(place_[static_cast<std::size_t>(coordinate_block)])];
+  }
 
  private:
   void add_block(std::int32_t coordinate_block, std::span<const update_kernel::LaneContribution> contributions);

@@ -2,6 +2,7 @@
 
 #include "engine/dynamics/assembly/update_kernel.h"
 
+#include "engine/dynamics/assembly/move_block.h"
 #include "engine/math/simd.h"
 
 namespace netpocket::update_kernel::NETPOCKET_ISA_NAME {
@@ -47,40 +48,9 @@ NETPOCKET_INLINE void add_regular(const UpdateView& view, const CoordinateBlock&
   }
 }
 
-// Returns the new velocity.
-NETPOCKET_INLINE SimdDouble move(double* coordinate, double* velocity, int part, const SimdDouble& change,
-                                 const SimdDouble& drift) {
-  const SimdDouble v = load(velocity, part) + change;
-  store(velocity, part, v);
-  store(coordinate, part, load(coordinate, part) + drift * v);
-  return v;
-}
-
-// Of positions or of gradients. A maximum may miss a NaN, a sum does not.
-struct LargestSquare {
-  SimdDouble largest = {}, sum = {};
-};
-NETPOCKET_INLINE void note(LargestSquare& of, const SimdDouble& square) {
-  of.largest = larger(of.largest, square);
-  of.sum = of.sum + square;
-}
-NETPOCKET_INLINE double value(const LargestSquare& of) {
-  double largest = 0, sum = 0;
-  for (int lane = 0; lane < kWidth; ++lane) {
-    largest = of.largest[lane] > largest ? of.largest[lane] : largest;
-    sum += of.sum[lane];
-  }
-  return sum != sum ? sum : largest;
-}
-
 template <bool kPrefetches>
 NETPOCKET_INLINE SimdVector force_on(const UpdateView& view, const CoordinateBlock& block, int part) {
-  SimdVector force = {};
-  if (view.loaded[block.coordinate_block] != 0) {
-    const double* applied =
-        view.applied.first + static_cast<std::ptrdiff_t>(block.coordinate_block) * (kVectorRows * kBlock);
-    force = {load(applied, part), load(applied + kBlock, part), load(applied + 2 * kBlock, part)};
-  }
+  SimdVector force = applied_force(view, block.coordinate_block, part);
   if (block.regular) {
     add_regular<kPrefetches>(view, block, part, force);
     return force;
@@ -99,15 +69,11 @@ NETPOCKET_INLINE void move_block(const UpdateView& view, const CoordinateBlock& 
   for (int part = 0; part < kParts; ++part) {
     const SimdVector force = force_on<kPrefetches>(view, block, part);
     const SimdDouble gain = broadcast(kick) * load(view.inverse_mass + coordinate, part);
-    const SimdDouble vx = move(x, v, part, gain * force.x, broadcast(drift));
-    const SimdDouble vy = move(x + kBlock, v + kBlock, part, gain * force.y, broadcast(drift));
-    const SimdDouble vz = move(x + 2 * kBlock, v + 2 * kBlock, part, gain * force.z, broadcast(drift));
-    const SimdDouble square = (vx * vx + vz * vz) + vy * vy;
+    const SimdDouble square = move(x, v, part, gain, force, broadcast(drift));
     if constexpr (kPositions) {
       note(largest, square);
     } else {
-      const SimdDouble weight = load(view.weight + coordinate, part);
-      note(largest, (weight * weight) * square);
+      note_weighted(largest, load(view.weight + coordinate, part), square);
     }
   }
 }

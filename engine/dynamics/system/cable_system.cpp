@@ -120,13 +120,13 @@ void CableSystem::Impl::fit_contacts(double dt) {
 void CableSystem::Impl::step(double dt) {
   fix_contacts(dt);
   fit_contacts(dt);
-  forces.keep_current(dt);
+  forces.keep_for_step(dt);
   const double kick = integrator.kick(dt);
   energies.before_step(kick);
   safeguards += forces.hinge_safeguards();
   energies.add_spent_in_contacts(contacts.note_step(kick, safeguards));
   const auto fastest = integrator.move(state.velocities, state.coordinates, kick, dt);
-  energies.after_coordinates();
+  energies.after_coordinates(kick);
   elements.ropes().finish_step(dt);
   step_bodies(kick, dt);
   energies.after_bodies(kick);

@@ -14,13 +14,14 @@ void EnergyAccount::begin() {
 
 void EnergyAccount::before_step(double kick) {
   power_before_ = contacts_.power_before();
-  input_ += kick * (forces_.element_power().fed + contacts_.fed_power());
-  spent_.in_cords += kick * (forces_.element_power().dissipated + forces_.line_power());
+  fed_to_contacts_ = contacts_.fed_power();
   spent_.at_hinges += kick * forces_.hinge_power();
   ropes_change_ = elements_.ropes().energy_change(state_.coordinates, state_.velocities);
 }
 
-void EnergyAccount::after_coordinates() {
+void EnergyAccount::after_coordinates(double kick) {
+  input_ += kick * (forces_.element_power().fed + fed_to_contacts_);
+  spent_.in_cords += kick * (forces_.element_power().dissipated + forces_.line_power());
   ropes_change_ += elements_.ropes().energy_change(state_.coordinates, state_.velocities);
   input_ -= 0.5 * ropes_change_;
 }

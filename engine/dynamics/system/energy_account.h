@@ -30,10 +30,10 @@ class EnergyAccount {
   // Begins the account at the present state, whose forces must be known. May be called again before the first step.
   void begin();
 
-  // In a step, in this order: before anything moves, with the kick (s) of the present forces; when the free coordinates
-  // have moved; when the bodies have, too.
+  // In a step, in this order, with the kick (s) of the present forces: before anything moves; when the free coordinates
+  // have moved, which the power of the elements may wait for; when the bodies have, too.
   void before_step(double kick);
-  void after_coordinates();
+  void after_coordinates(double kick);
   void after_bodies(double kick);
   void add_input(double work) { input_ += work; }  // J
   void add_spent_in_contacts(double energy) { spent_.in_contacts += energy; }
@@ -64,6 +64,7 @@ class EnergyAccount {
   double initial_energy_ = 0, initial_input_ = 0;  // J
   double ropes_change_ = 0;                        // J, RopeDynamics::energy_change before the step under way
   SystemContacts::Power power_before_;             // W, in the step under way
+  double fed_to_contacts_ = 0;                     // W, likewise
   EnergyAudit last_audit_;
   std::int64_t audited_ = -1;  // SystemForces::computations of last_audit_; -1: outdated
 };

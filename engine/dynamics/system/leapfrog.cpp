@@ -20,8 +20,8 @@ update_kernel::Kernel update() {
 
 }  // namespace
 
-Leapfrog::Leapfrog(const Model& model, const CableElements& elements, const CableState& state,
-                   const SystemForces& forces, const SystemThreads& threads, const double* weights)
+Leapfrog::Leapfrog(const Model& model, const CableElements& elements, const CableState& state, SystemForces& forces,
+                   const SystemThreads& threads, const double* weights)
     : elements_(elements),
       state_(state),
       forces_(forces),
@@ -55,6 +55,7 @@ std::optional<update_kernel::Fastest> Leapfrog::kick_and_drift(CoordinateVectors
   view.velocities = v.data();
   view.weight = weights_;
   view.gradient_block = state_.layout.gradient(0) / kBlockSize;
+  if (forces_.are_waiting()) return forces_.move(view, update(), kick, drift);
   const auto move_blocks = [&](int first, int last) { return update()(view, first, last, kick, drift); };
   if (threads_.count() == 1) return move_blocks(0, forces_.block_count());
   update_kernel::Fastest fastest;

@@ -21,7 +21,7 @@ class Leapfrog {
  public:
   // All must outlive this object. `weights`: of coordinates, for the speeds that it finds (update_kernel.h). Throws
   // std::invalid_argument if the consistent mass matrix of the full evaluation is singular.
-  Leapfrog(const Model& model, const CableElements& elements, const CableState& state, const SystemForces& forces,
+  Leapfrog(const Model& model, const CableElements& elements, const CableState& state, SystemForces& forces,
            const SystemThreads& threads, const double* weights);
 
   // Time (s) over which the present forces act in a step of `dt` (s). At the start velocities do not lag.
@@ -49,7 +49,7 @@ class Leapfrog {
 
   const CableElements& elements_;
   const CableState& state_;
-  const SystemForces& forces_;
+  SystemForces& forces_;
   const SystemThreads& threads_;
   const double* weights_;
   std::optional<ConsistentMass> consistent_mass_;  // of the full evaluation

@@ -28,6 +28,14 @@ const ForceKernels& force_kernels() {
   return chosen;
 }
 
+// Several threads divide the elements, and meanwhile one looks for contacts: then elements come first.
+std::optional<PairedElements> paired(const CableElements& elements, const CableState& state,
+                                     const SystemThreads& threads) {
+  if (elements.is_full() || threads.count() > 1) return std::nullopt;
+  PairedElements pairs(elements.batch(), elements.batch_elements(), state.layout.size());
+  return pairs.middle_count() > 0 ? std::optional(std::move(pairs)) : std::nullopt;
+}
+
 }  // namespace
 
 SystemForces::SystemForces(const Model& model, CableElements& elements, const CableState& state,
@@ -38,7 +46,9 @@ SystemForces::SystemForces(const Model& model, CableElements& elements, const Ca
       contacts_(contacts),
       travelled_(travelled),
       threads_(threads),
-      assembly_(elements.batch_elements(), state.layout.size(), threads.count()),
+      pairs_(paired(elements, state, threads)),
+      assembly_(elements.batch_elements(), state.layout.size(), threads.count(),
+                pairs_ ? pairs_->is_middle() : std::span<const std::uint8_t>()),
       wrinkling_(model, elements.batch_elements(), elements.is_full()),
       element_forces_(static_cast<std::size_t>(elements.batch().block_count()) * kForceRows * kBlockSize, 0.0),
       applied_(state.layout.size()),
@@ -75,15 +85,21 @@ void SystemForces::collect_hinges() {
 }
 
 void SystemForces::keep_current(double dt) {
-  if (!are_current() || step_ != dt) compute(dt);
+  if (!are_current() || step_ != dt || are_waiting_) compute(dt);
 }
 
-void SystemForces::compute(double dt) {
+void SystemForces::keep_for_step(double dt) {
+  if (!are_current() || step_ != dt) compute(dt, !pairs_);
+}
+
+void SystemForces::compute(double dt, bool with_elements) {
+  are_waiting_ = !with_elements;
+  if (are_waiting_) pairs_->forget();
   const StepTimes times{.kick = 0.5 * (state_.last_step + dt), .drift = dt};
   elements_.update_ropes();
   contacts_.look_around(travelled_, dt);
   const double cord_speed = travelled_.cord_speed();
-  add_elements([&] {
+  const auto add_others = [&] {
     applied_.clear();
     for (Wrench& wrench : wrenches_) wrench = Wrench{};
     add_hinges(times.kick);
@@ -94,7 +110,12 @@ void SystemForces::compute(double dt) {
       ropes.add_flow_forces(state_.coordinates, state_.velocities, state_.last_step, times.kick, applied_);
     }
     contacts_.find(cord_speed, dt);
-  });
+  };
+  if (with_elements) {
+    add_elements(add_others);
+  } else {
+    add_others();
+  }
   contacts_.add_cord_forces(
       times, [this](auto blocks, double* rows) { sum(blocks, rows); }, applied_, wrenches_);
   for (std::size_t b = 0; b < wrenches_.size(); ++b) {
@@ -119,6 +140,10 @@ void SystemForces::add_elements(const Meanwhile& meanwhile) {
     }
   };
   threads_.run(chunks, compute_chunks, meanwhile);
+  sum_powers();
+}
+
+void SystemForces::sum_powers() {
   element_power_ = {};
   for (const BatchPower& power : chunk_power_) {
     element_power_.dissipated += power.dissipated;
@@ -198,7 +223,35 @@ update_kernel::UpdateView SystemForces::view() const {
   return view;
 }
 
-void SystemForces::sum(std::span<const std::int32_t> coordinate_blocks, double* rows) const {
+// Middles of pairs are the last blocks of the assembly.
+update_kernel::Fastest SystemForces::move(update_kernel::UpdateView motion, update_kernel::Kernel update, double kick,
+                                          double drift) {
+  const int blocks = elements_.batch().block_count();
+  update_kernel::Fastest fastest;
+  const auto note = [&](const update_kernel::Fastest& part) {
+    fastest = {larger_or_none(fastest.position, part.position), larger_or_none(fastest.gradient, part.gradient)};
+  };
+  chunk_power_.clear();
+  for (int first = 0; first < blocks; first += kForceChunk) {
+    const pair_kernel::PairSums sums =
+        pairs_->move(motion, first, std::min(blocks, first + kForceChunk), kick, drift, element_forces_.data());
+    chunk_power_.push_back(sums.power);
+    note(sums.fastest);
+  }
+  sum_powers();
+  note(update(motion, 0, assembly_.block_count() - pairs_->middle_count(), kick, drift));
+  unmoved_.clear();
+  for (const std::int32_t block : pairs_->unmoved_middles()) unmoved_.push_back(assembly_.block(block));
+  motion.blocks = unmoved_.data();
+  note(update(motion, 0, static_cast<int>(unmoved_.size()), kick, drift));
+  are_waiting_ = false;
+  return fastest;
+}
+
+void SystemForces::sum(std::span<const std::int32_t> coordinate_blocks, double* rows) {
+  if (are_waiting_) {
+    pairs_->find_forces(coordinate_blocks, state_.coordinates.rows(), state_.velocities.rows(), element_forces_.data());
+  }
   force_kernels().sum(view(), coordinate_blocks.data(), coordinate_blocks.size(), rows);
 }
 

@@ -4,12 +4,14 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "engine/base/aligned_vector.h"
 #include "engine/dynamics/assembly/applied_forces.h"
 #include "engine/dynamics/assembly/assembly.h"
+#include "engine/dynamics/assembly/paired_elements.h"
 #include "engine/dynamics/assembly/safeguards.h"
 #include "engine/dynamics/assembly/update_kernel.h"
 #include "engine/dynamics/joints/hinge_kernel.h"
@@ -31,8 +33,10 @@ class SystemForces {
 
   // Computes the forces for a next step of `dt` (s): always, or unless they are known for this state and step. Forces
   // computed for a snapshot are kept, so that the next step need not compute them again.
-  void compute(double dt);
+  void compute(double dt) { compute(dt, true); }
   void keep_current(double dt);
+  // The same for a step that follows at once. Most forces of elements may then wait for that step's move().
+  void keep_for_step(double dt);
   // To be called when anything but the state has changed that forces depend on.
   void forget() { version_ = -1; }
   // Whether forces are known for the present state, and a number that differs for each computation.
@@ -44,6 +48,12 @@ class SystemForces {
   // On coordinates, as the update kernels take them. Masses and state are not set.
   update_kernel::UpdateView view() const;
   int block_count() const { return assembly_.block_count(); }
+  // Whether forces of elements still wait. Then move() computes them and moves all coordinates of `motion`, which is
+  // the view with masses and state: v += kick M^-1 F, x += drift v. Only then is element_power() known. Returns the
+  // largest speeds.
+  bool are_waiting() const { return are_waiting_; }
+  update_kernel::Fastest move(update_kernel::UpdateView motion, update_kernel::Kernel update, double kick,
+                              double drift);
 
   // Powers (W) at the present state: of the elements; of the dampers of hinges and of lines.
   const BatchPower& element_power() const { return element_power_; }
@@ -61,14 +71,16 @@ class SystemForces {
   double load_work() const;
 
  private:
+  void compute(double dt, bool with_elements);
   void collect_hinges();
+  void sum_powers();
   template <typename Meanwhile>
   void add_elements(const Meanwhile& meanwhile);
   void add_hinges(double kick);
   void add_lines();
   void add_attachments(std::size_t body);
   void add_gravity(std::size_t body);
-  void sum(std::span<const std::int32_t> coordinate_blocks, double* rows) const;
+  void sum(std::span<const std::int32_t> coordinate_blocks, double* rows);
 
   const Model& model_;
   CableElements& elements_;
@@ -77,6 +89,7 @@ class SystemForces {
   TravelledWay& travelled_;
   const SystemThreads& threads_;
 
+  std::optional<PairedElements> pairs_;  // where they are moved as their forces are computed
   Assembly assembly_;
   AlignedVector<HingeBlock> hinges_;
   RodWrinkling wrinkling_;
@@ -94,6 +107,8 @@ class SystemForces {
   std::int64_t version_ = -1;                              // of the state that forces are for
   double step_ = 0;                                        // s, step that forces are for
   std::int64_t computations_ = 0;
+  bool are_waiting_ = false;
+  std::vector<update_kernel::CoordinateBlock> unmoved_;  // middles of pairs that are moved one by one
 };
 
 }  // namespace netpocket
