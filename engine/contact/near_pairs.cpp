@@ -57,7 +57,6 @@ class NearPairs {
                                         for (int i = first; i < last; ++i) add(i, entries);
                                       });
     sort_entries(loop);
-    copy_boxes(loop);
     pairs_ =
         found_in_ranges<Pair>(loop, static_cast<int>(entries_.size()), kRange,
                               [&](int first, int last, std::vector<Pair>& found) { find_pairs(first, last, found); });
@@ -116,48 +115,30 @@ class NearPairs {
     }
   }
 
-  // The boxes in the order of the entries, so that a sweep reads them one after the other.
-  void copy_boxes(const DividedLoop& loop) {
-    swept_.resize(entries_.size());
-    loop(static_cast<int>(swept_.size()), kRange, [&](int first, int last) {
-      for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i) {
-        swept_[i] = box(entries_[i].index);
-      }
-    });
-  }
-
-  // Finds the pairs whose first box is among the entries [first, last). Every pair of a sweep is written down, and the
-  // next one over it unless it is near: without a branch, because the processor cannot predict it.
+  // Finds the pairs whose first box is among the entries [first, last).
   void find_pairs(int first, int last, std::vector<Pair>& found) const {
-    std::vector<std::size_t> near;
-    for (auto a = static_cast<std::size_t>(first); a < static_cast<std::size_t>(last); ++a) {
-      const AlignedBox3d& one = swept_[a];
+    for (auto a = entries_.begin() + first; a != entries_.begin() + last; ++a) {
+      const AlignedBox3d& one = box(a->index);
       const Vector3d high = one.max().array() + margin_;
-      const std::uint64_t column = entries_[a].place >> kBitsAlong, end = place(column, high.x());
-      std::size_t past = a + 1;
-      while (past < entries_.size() && entries_[past].place <= end) ++past;
-      if (near.size() < past - a) near.resize(past - a);
-      std::size_t count = 0;
-      for (std::size_t b = a + 1; b < past; ++b) {
-        near[count] = b;
-        count += are_near(one.min(), high, swept_[b]);
-      }
-      for (std::size_t i = 0; i < count; ++i) {
-        if (column != meeting_column(one, swept_[near[i]])) continue;
-        found.emplace_back(std::minmax(entries_[a].index, entries_[near[i]].index));
+      const std::uint64_t column = a->place >> kBitsAlong, end = place(column, high.x());
+      for (auto b = a + 1; b != entries_.end() && b->place <= end; ++b) {
+        const AlignedBox3d& other = box(b->index);
+        if (are_near(one.min(), high, other) && column == meeting_column(one, other)) {
+          found.emplace_back(std::minmax(a->index, b->index));
+        }
       }
     }
   }
 
-  // Whether a box from `low` to `high`, where `high` includes the margin, is near another: 1 or 0. It evaluates all
-  // comparisons without branches.
-  unsigned are_near(const Vector3d& low, const Vector3d& high, const AlignedBox3d& other) const {
+  // Whether a box from `low` to `high`, where `high` includes the margin, is near another. It evaluates all comparisons
+  // without branches, because the processor cannot predict them.
+  bool are_near(const Vector3d& low, const Vector3d& high, const AlignedBox3d& other) const {
     const auto bit = [](bool value) { return static_cast<unsigned>(value); };
     const Vector3d &from = other.min(), &to = other.max();
     const unsigned begins_before = bit(from.x() <= high.x()) & bit(from.y() <= high.y()) & bit(from.z() <= high.z());
     const unsigned ends_after =
         bit(low.x() <= to.x() + margin_) & bit(low.y() <= to.y() + margin_) & bit(low.z() <= to.z() + margin_);
-    return begins_before & ends_after;
+    return (begins_before & ends_after) != 0;
   }
   std::uint64_t meeting_column(const AlignedBox3d& a, const AlignedBox3d& b) const {
     return column(std::max(a.min().y(), b.min().y()), std::max(a.min().z(), b.min().z()));
@@ -169,7 +150,6 @@ class NearPairs {
   double cell_ = 1;
   std::uint64_t layers_ = 1;
   std::vector<Entry> entries_;
-  std::vector<AlignedBox3d> swept_;  // by entry
   std::vector<std::pair<int, int>> pairs_;
 };
 
