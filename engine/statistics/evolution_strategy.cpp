@@ -145,7 +145,7 @@ class Minimisation {
   Minimum run() {
     const auto n = static_cast<int>(options_.lower.size());
     int population = options_.population;
-    if (population == 0) population = 4 + static_cast<int>(3 * logarithm(n));
+    if (population == 0) population = default_population(n);
     Eigen::VectorXd start = Eigen::VectorXd::Constant(n, 0.5);
     if (options_.start.size() == n) start = (options_.start - options_.lower).cwiseQuotient(range());
     for (;; ++minimum_.restarts, population *= 2) {
@@ -187,6 +187,8 @@ class Minimisation {
 };
 
 }  // namespace
+
+int default_population(int dimensions) { return 4 + static_cast<int>(3 * logarithm(dimensions)); }
 
 Minimum minimise(const BatchFunction& function, const MinimisationOptions& options) {
   return Minimisation(function, options).run();

@@ -34,6 +34,9 @@ struct Minimum {
   bool has_reached_target = false;
 };
 
+// Population of the first run: 4 + floor(3 ln n), table 1 of the tutorial.
+int default_population(int dimensions);
+
 // Values that are not finite count as worse than all others.
 Minimum minimise(const BatchFunction& function, const MinimisationOptions& options);
 

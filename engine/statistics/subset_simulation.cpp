@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/math/power.h"
+#include "engine/sampling/normal.h"
 #include "engine/sampling/random.h"
 
 namespace netpocket {
@@ -37,6 +38,14 @@ std::vector<Eigen::Index> by_value(const Eigen::VectorXd& values) {
   std::iota(order.begin(), order.end(), 0);
   std::ranges::stable_sort(order, {}, [&](Eigen::Index i) { return values[i]; });
   return order;
+}
+
+// As many of the first `kept` as there are chains, evenly over all of them: of more points than chains each has the
+// same chance, whatever its value.
+std::vector<Eigen::Index> spread(const std::vector<Eigen::Index>& order, std::size_t kept, std::size_t chains) {
+  std::vector<Eigen::Index> chosen;
+  for (std::size_t i = 0; i < chains; ++i) chosen.push_back(order[i * kept / chains]);
+  return chosen;
 }
 
 Level first_level(const BatchFunction& limit_state, int dimensions, int samples, RandomSequence& random) {
@@ -101,21 +110,31 @@ SubsetResult subset_simulation(const BatchFunction& limit_state, int dimensions,
   SubsetResult result{.probability = 1, .levels = 1, .evaluations = options.samples};
   double variation = 0;
   for (;; ++result.levels) {
-    std::vector<Eigen::Index> order = by_value(level.values);
-    order.resize(order.size() / kSharesPerLevel);
+    const std::vector<Eigen::Index> order = by_value(level.values);
+    const std::size_t chains = order.size() / kSharesPerLevel;
     // As in Au & Beck, the limit lies between the values that are kept and the next one: here at the last that is kept.
-    const double limit = std::max(0.0, level.values[order.back()]);
-    variation += squared_variation(level, limit);
+    const double limit = std::max(0.0, level.values[order[chains - 1]]);
+    const double squared = squared_variation(level, limit);
+    variation += squared;
+    result.most_variation += std::sqrt(squared);
+    // More than a tenth where values are equal, as those of a metric can be.
+    const auto kept = static_cast<std::size_t>((level.values.array() <= limit).count());
+    result.probability *= static_cast<double>(kept) / options.samples;
+    result.steps.push_back({limit, result.probability});
     if (limit == 0 || result.levels == options.most_levels) {
       result.is_resolved = limit == 0;
-      result.probability *= static_cast<double>((level.values.array() <= limit).count()) / options.samples;
       result.variation = std::sqrt(variation);
       return result;
     }
-    result.probability /= kSharesPerLevel;
-    level = next_level(limit_state, level, order, limit, random);
-    result.evaluations += static_cast<int>(order.size()) * (kSharesPerLevel - 1);
+    level = next_level(limit_state, level, spread(order, kept, chains), limit, random);
+    result.evaluations += static_cast<int>(chains) * (kSharesPerLevel - 1);
   }
+}
+
+Interval subset_interval(const SubsetResult& result, double confidence) {
+  const double deviation = std::sqrt(logarithm(1 + result.most_variation * result.most_variation));
+  const double factor = power(std::numbers::e, normal_quantile((1 + confidence) / 2) * deviation);
+  return {result.is_resolved ? result.probability / factor : 0, std::min(1.0, result.probability * factor)};
 }
 
 }  // namespace netpocket

@@ -13,9 +13,9 @@ std::string in_one_line(std::string text) {
 
 }  // namespace
 
-PreparedPoint prepare_point(const Study& study, const StudyPlan& plan, std::size_t index, const std::string& program,
+PreparedPoint prepare_point(const Study& study, std::size_t index, StudyPoint point, const std::string& program,
                             PointCheck check) {
-  PreparedPoint made{index, plan.point(index), {}, {}, {}};
+  PreparedPoint made{index, std::move(point), {}, {}, {}};
   const auto make = check == PointCheck::full ? study_scenario : unchecked_scenario;
   for (const NamedSettings& variant : study.variants) {
     StudyScenario scenario = make(study, made.point, variant);
@@ -24,6 +24,11 @@ PreparedPoint prepare_point(const Study& study, const StudyPlan& plan, std::size
   }
   made.identity = point_identity(made.scenarios, program);
   return made;
+}
+
+PreparedPoint prepare_point(const Study& study, const StudyPlan& plan, std::size_t index, const std::string& program,
+                            PointCheck check) {
+  return prepare_point(study, index, plan.point(index), program, check);
 }
 
 FoundRecords::FoundRecords(const std::string& folder) {

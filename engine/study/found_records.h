@@ -22,6 +22,8 @@ struct PreparedPoint {
 
 enum class PointCheck { full, none };  // `none` leaves check_scenario out, which takes much longer than all the rest
 
+PreparedPoint prepare_point(const Study& study, std::size_t index, StudyPoint point, const std::string& program,
+                            PointCheck check);
 PreparedPoint prepare_point(const Study& study, const StudyPlan& plan, std::size_t index, const std::string& program,
                             PointCheck check);
 

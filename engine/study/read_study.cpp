@@ -18,6 +18,7 @@
 #include "engine/scenario/read_scenario.h"
 #include "engine/scenario/toml_depth.h"
 #include "engine/study/read_campaign.h"
+#include "engine/study/read_search.h"
 #include "engine/study/read_uncertain.h"
 #include "engine/study/toml_values.h"
 
@@ -38,7 +39,8 @@ class StudyReader {
     }
     check_names(file, {"name",       "description", "base",  "sampling",    "samples",  "seed",    "keep_recordings",
                        "findings",   "report",      "set",   "vary",        "point",    "variant", "uncertain",
-                       "correlated", "estimate",    "until", "sensitivity", "ensemble", "remarks", "statement"});
+                       "correlated", "estimate",    "until", "sensitivity", "ensemble", "remarks", "statement",
+                       "optimise",   "rare"});
     read_text(file, "name", study_.name);
     read_text(file, "description", study_.description);
     read_base(file);
@@ -64,6 +66,7 @@ class StudyReader {
     if (const toml::table* ensemble = table(file, "ensemble")) read_ensemble(*ensemble, scenario);
     read_remarks(file);
     if (const toml::table* report = table(file, "report")) read_report(*report);
+    read_search(file, scenario, study_, report_problem);
     if (found_.ok()) check_size();
     return result();
   }
@@ -140,7 +143,7 @@ class StudyReader {
       study_.sampling = kind->second;
     }
     const auto samples = read_whole(file, "samples", 1, static_cast<std::int64_t>(kMostStudyPoints));
-    const bool has_own_points = file.contains("sensitivity");
+    const bool has_own_points = file.contains("sensitivity") || file.contains("rare");
     if (study_.sampling != Sampling::grid && !samples && !has_own_points) {
       report(1, "samples", fmt::format("says how many points sampling = \"{}\" takes", sampling));
     }

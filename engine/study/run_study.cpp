@@ -18,6 +18,7 @@
 #include "engine/study/found_records.h"
 #include "engine/study/measured_run.h"
 #include "engine/study/record_files.h"
+#include "engine/study/run_search.h"
 #include "engine/study/study_folder.h"
 #include "engine/study/study_plan.h"
 #include "engine/study/study_status.h"
@@ -332,7 +333,8 @@ StudyOutcome run_study(const Study& study, const std::string& folder, const Stud
                        const StudyCallback& progress, const std::stop_token& stop) {
   const bool is_part = options.part.parts > 1;
   const OwnedStudyFolder own(folder, study.name, is_part ? FolderUse::shared : FolderUse::alone);
-  write_study_manifest(study, folder, options.version + options.commit);
+  if (study.is_search()) return run_search(study, folder, options, progress, stop);
+  write_study_manifest(study, StudyPlan(study).size(), folder, options.version + options.commit);
   StudyRunner runner(study, folder, options, progress);
   runner.run(stop);
   StudyOutcome outcome;

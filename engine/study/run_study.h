@@ -2,11 +2,14 @@
 // Runs a study: all variants of all points, several at the same time.
 
 #include <functional>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
 
 #include "engine/study/estimate.h"
+#include "engine/study/optimisation.h"
+#include "engine/study/rare_failure.h"
 #include "engine/study/sensitivity_estimate.h"
 #include "engine/study/study.h"
 #include "engine/study/study_record.h"
@@ -46,6 +49,8 @@ struct StudyOutcome {
   bool has_tables = false;               // the tables were written
   std::vector<GroupEstimate> estimates;  // of studies with uncertain inputs
   std::vector<SensitivityEstimate> sensitivities;  // of studies with [sensitivity]
+  std::optional<Optimisation> optimisation;        // of studies with [optimise] that came to their end
+  std::optional<RareFailure> rare_failure;         // likewise with [rare]
   std::size_t runs_made = 0;                       // by this call
   double wall_seconds = 0;                         // of this call
 };
@@ -59,8 +64,8 @@ using StudyCallback = std::function<void(const StudyProgress&)>;
 // - the tables of the finished points (study_table.h) at the end, also when stopped; of a study in parts when no point
 //   of any part is missing. Whichever part is last writes them.
 // - study_estimates.csv of studies with uncertain inputs and study_sensitivity.csv of those with [sensitivity], with
-// the
-//   tables.
+//   the tables,
+// - what run_search.h says, if the study searches.
 // The results do not depend on `jobs` or parts. Points whose scenario is not valid are not run; their record says why.
 // Throws FileError when something cannot be written; finished points remain.
 StudyOutcome run_study(const Study& study, const std::string& folder, const StudyOptions& options,

@@ -69,6 +69,43 @@ struct StudyStop {
   int batch = 100;        // points
 };
 
+// What a column of the table is over the draws of the uncertain inputs: its mean or, with `fraction` set, the value
+// below which that share of the draws lies (0: the least, 1: the largest). Draws without a number are left out.
+struct ColumnOverDraws {
+  std::string column;
+  std::optional<double> fraction{};
+};
+
+struct StudyConstraint {
+  ColumnOverDraws value;
+  std::optional<double> at_most{}, at_least{};
+};
+
+// A search by CMA-ES (statistics/evolution_strategy.h) for the values of parameters at which a column is least or
+// largest, within constraints. Each set of values, a candidate, runs with the same draws of the uncertain inputs.
+struct StudyOptimisation {
+  std::vector<Axis> over;  // ranges; a candidate has a value of each
+  ColumnOverDraws objective;
+  bool is_maximised = false;
+  std::vector<StudyConstraint> constraints;
+  int candidates = 0;  // no new generation begins beyond it; 0: the study does not search
+  int population = 0;  // of the first run; 0: 4 + floor(3 ln n)
+  int restarts = 3;
+  double step = 0.3;         // first standard deviation, as a fraction of the ranges
+  double least_step = 1e-3;  // at which a run has converged, likewise
+  int check = 200;           // fresh draws with which the base and the best candidate are run in the end
+};
+
+// The probability of a rare failure by subset simulation (statistics/subset_simulation.h): of a number in a column of
+// the table that is at most, or at least, `limit`.
+struct StudyRareFailure {
+  std::string of;  // empty: the study does not look for one
+  double limit = 0;
+  bool is_above = false;  // fails at `limit` and above, else at `limit` and below
+  int samples = 500;      // per level
+  int levels = 6;         // at most
+};
+
 // Draws of the first point: its runs repeated with random initial displacements of every free node of up to
 // `perturbation` (m), with seeds 1 to `runs`. They show what depends on rounding errors.
 struct StudyEnsemble {
@@ -114,10 +151,15 @@ struct Study {
   StudyEstimate estimate;
   StudyStop until;
   StudySensitivity sensitivity;
+  StudyOptimisation optimisation;
+  StudyRareFailure rare;
   StudyEnsemble ensemble;
   StudyReport report;
   std::vector<StudyStatement> statements;      // in the order of the file
   std::map<std::string, std::string> remarks;  // by finding ("F5") or statement ("S1"), shown in the report
+
+  // Whether the results of points decide which points follow (run_search.h).
+  bool is_search() const { return optimisation.candidates > 0 || !rare.of.empty(); }
 };
 
 struct StudyPoint {

@@ -67,7 +67,34 @@ void append(std::vector<Setting>& settings, const std::vector<Setting>& more) {
   settings.insert(settings.end(), more.begin(), more.end());
 }
 
+// Values of the uncertain inputs. `others`: all other settings, which relative values refer to.
+std::vector<Setting> drawn(const Study& study, std::span<const double> fractions, const std::vector<Setting>& others) {
+  Scenario nominal = study.base;
+  apply_settings(nominal, others);
+  std::vector<Setting> settings;
+  for (const UncertainInput& input : study.uncertain) {
+    append(settings, drawn_settings(input, fractions, nominal));
+    fractions = fractions.subspan(static_cast<std::size_t>(coordinate_count(input)));
+  }
+  return settings;
+}
+
 }  // namespace
+
+std::string axis_value(const Axis& axis, double fraction) { return number_text(axis, between(axis, fraction)); }
+
+double axis_fraction(const Axis& axis, double value) {
+  const double part = axis.logarithmic ? logarithm(value / axis.from) / logarithm(axis.to / axis.from)
+                                       : (value - axis.from) / (axis.to - axis.from);
+  return std::clamp(part, 0.0, 1.0);
+}
+
+StudyPoint point_at(const Study& study, std::span<const double> fractions) {
+  StudyPoint point{study.places.front().name, study.settings, 0};
+  append(point.settings, study.places.front().settings);
+  append(point.settings, drawn(study, fractions, point.settings));
+  return point;
+}
 
 StudyPlan::StudyPlan(const Study& study) : study_(study) {
   const bool is_uncertain = !study.uncertain.empty();
@@ -133,19 +160,6 @@ std::vector<double> StudyPlan::fractions(std::size_t draw) const {
   return {point.begin(), point.end()};
 }
 
-std::vector<Setting> StudyPlan::drawn(std::size_t draw, const std::vector<Setting>& others) const {
-  Scenario nominal = study_.base;
-  apply_settings(nominal, others);
-  const std::vector<double> all = fractions(draw);
-  std::span<const double> left = all;
-  std::vector<Setting> settings;
-  for (const UncertainInput& input : study_.uncertain) {
-    append(settings, drawn_settings(input, left, nominal));
-    left = left.subspan(static_cast<std::size_t>(coordinate_count(input)));
-  }
-  return settings;
-}
-
 StudyPoint StudyPlan::point(std::size_t index) const {
   if (index >= regular_) {
     StudyPoint point = this->point(0);
@@ -159,7 +173,8 @@ StudyPoint StudyPlan::point(std::size_t index) const {
   StudyPoint point{place.name, study_.settings, 0};
   append(point.settings, place.settings);
   append(point.settings, combination(group % combinations_));
-  if (!study_.uncertain.empty()) append(point.settings, drawn(index / group_count(), point.settings));
+  if (!study_.uncertain.empty())
+    append(point.settings, drawn(study_, fractions(index / group_count()), point.settings));
   return point;
 }
 

@@ -7,11 +7,21 @@
 // ensemble come last.
 
 #include <optional>
+#include <span>
 
 #include "engine/sampling/design.h"
 #include "engine/study/study.h"
 
 namespace netpocket {
+
+// The value of an axis that is a range, in TOML syntax, at a fraction of it from 0 to 1.
+std::string axis_value(const Axis& axis, double fraction);
+// The inverse, for the number that a scenario has; within 0 to 1.
+double axis_fraction(const Axis& axis, double value);
+
+// The point of a study with one place and no axes at which the coordinates of the uncertain inputs in the unit cube are
+// those given.
+StudyPoint point_at(const Study& study, std::span<const double> fractions);
 
 class StudyPlan {
  public:
@@ -36,7 +46,6 @@ class StudyPlan {
  private:
   std::vector<Setting> combination(std::size_t index) const;
   std::vector<Setting> sampled(std::size_t index) const;
-  std::vector<Setting> drawn(std::size_t draw, const std::vector<Setting>& others) const;
 
   const Study& study_;
   std::vector<std::vector<std::string>> grid_;  // values by axis; empty when the axes are sampled

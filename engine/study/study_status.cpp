@@ -64,12 +64,13 @@ std::vector<std::string> files_being_written(const std::string& folder) {
 
 }  // namespace
 
-void write_study_manifest(const Study& study, const std::string& folder, const std::string& program) {
+void write_study_manifest(const Study& study, std::size_t points, const std::string& folder,
+                          const std::string& program) {
   Json variants = Json::array(), uncertain = Json::array();
   for (const NamedSettings& variant : study.variants) variants.push_back(variant.name);
   for (const std::string& key : used_keys(study)) uncertain.push_back(key);
   const Json manifest = {{"study", study.name},
-                         {"points", StudyPlan(study).size()},
+                         {"points", points},
                          {"variants", variants},
                          {"sampling", sampling_name(study.sampling)},
                          {"samples", study.samples},

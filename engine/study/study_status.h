@@ -12,8 +12,9 @@ namespace netpocket {
 inline constexpr char kStudyManifest[] = "study_manifest.json";
 
 // Writes {"study", "points", "variants" [names], "sampling", "samples", "seed", "uncertain" [keys], "program",
-// "scenario" (hash of program, base scenario and meshes)}.
-void write_study_manifest(const Study& study, const std::string& folder, const std::string& program);
+// "scenario" (hash of program, base scenario and meshes)}. `points`: how many the study takes, at most.
+void write_study_manifest(const Study& study, std::size_t points, const std::string& folder,
+                          const std::string& program);
 
 struct StudyFailure {
   std::size_t point = 0;  // 1, 2, ...

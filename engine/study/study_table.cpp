@@ -81,6 +81,7 @@ std::vector<std::string> varied_keys(const Study& study) {
     }
   }
   std::vector<std::string> keys;
+  for (const Axis& axis : study.optimisation.over) keys.push_back(axis.key);
   for (const Setting& setting : order) {
     const bool is_shared = counts[{setting.key, setting.value}] == indices.size();
     const bool is_known = std::ranges::count(keys, setting.key) + std::ranges::count(uncertain, setting.key) > 0;

@@ -121,7 +121,7 @@ std::string failure_text(const std::string& folder, int part, std::size_t missin
 
 SlurmSubmission submit_study(const Study& study, const SlurmChoice& choice) {
   const OwnedStudyFolder own(choice.folder, study.name, FolderUse::shared);
-  write_study_manifest(study, choice.folder, choice.version);
+  write_study_manifest(study, StudyPlan(study).size(), choice.folder, choice.version);
   Submitted state = read_state(choice.folder);
   const std::vector<std::size_t> missing = missing_points(study, choice.folder, choice.version);
   const int before = state.parts;

@@ -134,6 +134,8 @@ void check_outputs(const StudyChoice& choice) {
   outputs.add("--output", choice.output + "/study_columns.csv", FileKind::csv);
   outputs.add("--output", choice.output + "/study_estimates.csv", FileKind::csv);
   outputs.add("--output", choice.output + "/study_sensitivity.csv", FileKind::csv);
+  outputs.add("--output", choice.output + "/study_optimisation.csv", FileKind::csv);
+  outputs.add("--output", choice.output + "/study_rare.csv", FileKind::csv);
   outputs.add("--output", choice.output + "/study_timings.csv", FileKind::csv);
   outputs.add("--output", choice.output + "/study.json", FileKind::json);
   if (!choice.report.empty()) outputs.add("--report", choice.report, FileKind::markdown);
@@ -150,6 +152,11 @@ void check_choice(const StudyChoice& choice, const Study& study) {
   const bool is_part = !choice.part.empty() || choice.slurm;
   if (is_part && study.until.half_width > 0) {
     throw CommandError(ExitCode::bad_input, "a study that ends by [until] looks at all its points: it has no parts");
+  }
+  if ((is_part || choice.merge) && study.is_search()) {
+    throw CommandError(ExitCode::bad_input,
+                       "a study with [optimise] or [rare] chooses its points one after the other: "
+                       "it has no parts");
   }
   if (choice.part.empty() && !choice.merge && !choice.resume && holds_study(choice.output)) {
     throw CommandError(ExitCode::io, fmt::format("\"{}\" holds a study already; --resume goes on with it, or name "
@@ -174,7 +181,12 @@ ExitCode show_status(const std::string& folder) {
 void print_outcome(const StudyChoice& choice, const Study& study, const StudyOutcome& outcome) {
   print(outcome_text(outcome, choice.output));
   print(throughput_text(outcome, choice.merge ? 0 : choice.jobs));
-  if (outcome.has_tables && !study.uncertain.empty()) print(estimates_text(study, outcome.estimates));
+  if (outcome.optimisation) {
+    print(optimisation_text(study, *outcome.optimisation));
+    print(fmt::format("\"{}/best.toml\" is the scenario\n", choice.output));
+  }
+  if (outcome.rare_failure) print(rare_failure_text(study, *outcome.rare_failure));
+  if (outcome.has_tables && !outcome.estimates.empty()) print(estimates_text(study, outcome.estimates));
   if (outcome.has_tables && !outcome.sensitivities.empty()) print(sensitivity_text(study, outcome.sensitivities));
 }
 
@@ -207,6 +219,14 @@ ExitCode hand_over(const StudyChoice& choice, const Study& study) {
   }
 }
 
+std::string report_of(const StudyChoice& choice, const Study& study, const StudyOutcome& outcome) {
+  if (outcome.optimisation) return optimisation_report(study, *outcome.optimisation);
+  if (outcome.rare_failure) return rare_failure_report(study, *outcome.rare_failure);
+  const bool judges = study.has_findings || study.report.of == ReportOf::statements;
+  if (judges) return study_report(study, outcome.records);
+  return campaign_report(study, outcome, read_study_results(choice.output));
+}
+
 ExitCode run(const StudyChoice& choice, const std::string& command_line) {
   if (!choice.status.empty()) return show_status(choice.status);
   if (choice.study.empty()) throw CommandError(ExitCode::usage, "STUDY is required");
@@ -235,10 +255,7 @@ ExitCode run(const StudyChoice& choice, const std::string& command_line) {
     return ExitCode::interrupted;
   }
   if (!choice.report.empty() && (study.has_findings || outcome.has_tables)) {
-    const bool judges = study.has_findings || study.report.of == ReportOf::statements;
-    const std::string report = judges ? study_report(study, outcome.records)
-                                      : campaign_report(study, outcome, read_study_results(choice.output));
-    write_whole_file(choice.report, FileKind::markdown, report);
+    write_whole_file(choice.report, FileKind::markdown, report_of(choice, study, outcome));
   }
   require_valid_point(outcome);
   return ExitCode::ok;

@@ -53,6 +53,47 @@ TEST(SubsetSimulation, FindsTheProbabilityOfALinearLimitState) {
   }
 }
 
+// The two coefficients of variation enclose the true one, and the interval holds the probability at least as often as
+// it says.
+TEST(SubsetSimulation, ItsIntervalHoldsTheProbability) {
+  const double exact = normal_cumulative(-3.5);
+  constexpr int kRuns = 120;
+  int held = 0;
+  double squares = 0, least = 0, most = 0;
+  for (int run = 0; run < kRuns; ++run) {
+    const auto limit_state = [](const Eigen::MatrixXd& points) { return linear_limit_state(points, 3.5); };
+    const SubsetResult result =
+        subset_simulation(limit_state, 10, {.samples = 500, .seed = static_cast<std::uint64_t>(1000 + run)});
+    held += subset_interval(result, 0.95).contains(exact) ? 1 : 0;
+    squares += std::pow(result.probability / exact - 1, 2) / kRuns;
+    least += result.variation / kRuns;
+    most += result.most_variation / kRuns;
+    ASSERT_FALSE(result.steps.empty());
+    EXPECT_EQ(result.steps.back().probability, result.probability);
+  }
+  EXPECT_GE(held, 110) << "binomial: 114 of 120 less two standard deviations";
+  EXPECT_LT(least, std::sqrt(squares));
+  EXPECT_GT(most, std::sqrt(squares));
+}
+
+// Numbers that many points share, as those of a count do: the limit state in steps of 1/2.
+TEST(SubsetSimulation, CountsEqualValues) {
+  constexpr int kRuns = 60;
+  Eigen::ArrayXd ratios(kRuns);
+  for (int run = 0; run < kRuns; ++run) {
+    const auto stepped = [](const Eigen::MatrixXd& points) {
+      return Eigen::VectorXd((2 * linear_limit_state(points, 3.5)).array().floor() / 2);
+    };
+    const SubsetResult result =
+        subset_simulation(stepped, 5, {.samples = 500, .seed = static_cast<std::uint64_t>(run + 1)});
+    EXPECT_TRUE(result.is_resolved);
+    // A value of 0 is one from 0 to 1/2.
+    ratios[run] = result.probability / normal_cumulative(-3);
+  }
+  const double deviation = std::sqrt((ratios - ratios.mean()).square().sum() / (kRuns - 1));
+  EXPECT_NEAR(ratios.mean(), 1, 4 * deviation / std::sqrt(kRuns) + 0.1);
+}
+
 TEST(SubsetSimulation, NeedsFarFewerRunsThanMonteCarlo) {
   const auto limit_state = [](const Eigen::MatrixXd& points) { return linear_limit_state(points, 4.5); };
   const SubsetResult result = subset_simulation(limit_state, 10, {.samples = 500, .seed = 3});
