@@ -93,12 +93,14 @@ void FileActions::ask_to_open() {
   if (!path.isEmpty()) emit open_requested(path);
 }
 
-void FileActions::open_preset(const QString& name) {
+bool FileActions::open_preset(const QString& name) {
   for (const Preset& preset : presets()) {
     if (preset.name != name || !may_discard()) continue;
     const Diagnostics problems = document_.start_from(preset.text);
     if (!problems.ok()) emit problem(QString::fromStdString(problems.text()));
+    return problems.ok();
   }
+  return false;
 }
 
 bool FileActions::save() {

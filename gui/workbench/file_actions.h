@@ -29,7 +29,10 @@ class FileActions : public QObject {
   bool save_as();
   // Whether unsaved changes may go: saved, or given up on purpose.
   bool may_discard();
-  void open_preset(const QString& name);
+  // False: not opened.
+  bool open_preset(const QString& name);
+  void ask_to_open();
+  void new_scenario();
 
  signals:
   void open_requested(const QString& path);
@@ -37,8 +40,6 @@ class FileActions : public QObject {
 
  private:
   QAction* add(QMenu& menu, const QString& text, const QKeySequence& key, const QString& help);
-  void ask_to_open();
-  void new_scenario();
   void fill_presets(QMenu& menu);
   void fill_recent(QMenu& menu);
 

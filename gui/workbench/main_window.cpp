@@ -17,6 +17,7 @@
 #include "gui/workbench/control/control_actions.h"
 #include "gui/workbench/control/control_panel.h"
 #include "gui/workbench/dialogs/preferences_dialog.h"
+#include "gui/workbench/edit_actions.h"
 #include "gui/workbench/editor/edit_command.h"
 #include "gui/workbench/editor/scenario_editor.h"
 #include "gui/workbench/editor/text_page.h"
@@ -33,6 +34,7 @@
 #include "gui/workbench/run_status_bar.h"
 #include "gui/workbench/runs_panel.h"
 #include "gui/workbench/second_view.h"
+#include "gui/workbench/start/start_page.h"
 #include "gui/workbench/timeline/timeline_bar.h"
 #include "gui/workbench/view_actions.h"
 #include "gui/workbench/viewport/viewport.h"
@@ -98,6 +100,7 @@ MainWindow::MainWindow(const WindowOptions& options)
   exports_ = new ExportTray;
   status_->addWidget(exports_);
   make_menus(options);
+  make_start();
   connect_document();
   connect_session();
   connect_panels();
@@ -128,6 +131,13 @@ void MainWindow::connect_document() {
           [this] { session_->change_strategy(document_->scenario()); });
   connect(editor_, &ScenarioEditor::restart_requested, run_actions_, &RunActions::restart);
   connect(preview_.get(), &PreviewBuilder::built, this, &MainWindow::show_preview);
+  connect(edit_actions_, &EditActions::problem, this, &MainWindow::show_notice);
+  connect(edit_actions_, &EditActions::told, this, [this](const QString& text) { status_->showMessage(text, 10000); });
+  connect(edit_actions_, &EditActions::key_chosen, this, [this](const QString& key) {
+    findChild<QDockWidget*>("scenario")->show();
+    findChild<QDockWidget*>("scenario")->raise();
+    editor_->reveal(key);
+  });
   connect(file_actions_, &FileActions::open_requested, this, &MainWindow::open);
   connect(file_actions_, &FileActions::problem, this, &MainWindow::show_notice);
   new PlacementActions(*viewport_, *document_, this);
@@ -216,6 +226,7 @@ QString MainWindow::notice() const { return notice_->isHidden() ? QString() : no
 
 void MainWindow::show_notice(const QString& text) {
   scenario_notice_ = false;
+  if (!text.isEmpty()) start_page_->close_page();  // which would cover it
   // The libraries' sentences go on after "netpocket: ", here they begin.
   notice_->show_text(text.startsWith("cannot ") ? "C" + text.mid(1) : text);
 }

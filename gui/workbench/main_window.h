@@ -20,10 +20,13 @@ namespace netpocket {
 
 class ControlActions;
 class ControlPanel;
+class EditActions;
 class ExportTray;
 class FileActions;
+enum class GuideStep;
 class FindingsPanel;
 class FindingsUpdater;
+class FirstCapture;
 class LostRunsBar;
 class MessageBar;
 class PickedPlot;
@@ -34,6 +37,7 @@ class RunStatusBar;
 class RunsPanel;
 class ScenarioEditor;
 class SecondView;
+class StartPage;
 class TimelineBar;
 class ViewActions;
 class Viewport;
@@ -56,6 +60,12 @@ class MainWindow : public QMainWindow {
 
   // A scenario or a recording, by what the file holds. Problems are shown.
   void open(const QString& path);
+  // Ways to begin, over the whole window until something is opened.
+  void show_start_page();
+  // Whether it asks about work that a crashed session has left.
+  bool offers_recovery() const;
+  // Opens case 1 and leads through its capture.
+  void begin_first_capture();
 
   CaptureSession& session() { return *session_; }
   ScenarioDocument& document() { return *document_; }
@@ -67,11 +77,14 @@ class MainWindow : public QMainWindow {
   ControlPanel& control() { return *control_; }
   ControlActions& control_actions() { return *control_actions_; }
   RunActions& run_actions() { return *run_actions_; }
+  EditActions& edit_actions() { return *edit_actions_; }
   FileActions& file_actions() { return *file_actions_; }
   RunFileActions& run_files() { return *run_files_; }
   ViewActions& view_actions() { return *view_actions_; }
   LostRunsBar& lost_runs() { return *lost_runs_; }
   ExportTray& exports() { return *exports_; }
+  StartPage& start_page() { return *start_page_; }
+  FirstCapture& first_capture() { return *first_capture_; }
   // Null until it is shown for the first time.
   SecondView* second_view() { return second_view_; }
   QSettings& settings() { return *settings_; }
@@ -96,6 +109,8 @@ class MainWindow : public QMainWindow {
   void make_menus(const WindowOptions& options);
   void fill_panels(QMenu& menu);
   void make_help(QMenu& menu, const QString& about);
+  void make_start();
+  void show_guided_place(GuideStep step);
   void connect_document();
   void connect_session();
   void connect_panels();
@@ -140,9 +155,12 @@ class MainWindow : public QMainWindow {
   RunStatusBar* status_ = nullptr;
   RunActions* run_actions_ = nullptr;
   ViewActions* view_actions_ = nullptr;
+  EditActions* edit_actions_ = nullptr;
   FileActions* file_actions_ = nullptr;
   RunFileActions* run_files_ = nullptr;
   ExportTray* exports_ = nullptr;
+  StartPage* start_page_ = nullptr;
+  FirstCapture* first_capture_ = nullptr;
   bool scenario_notice_ = false;
   PresenterKind presenter_;
   ViewHistory history_;  // of the first view

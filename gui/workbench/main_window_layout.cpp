@@ -12,6 +12,7 @@
 #include "gui/workbench/control/control_panel.h"
 #include "gui/workbench/dialogs/about_dialog.h"
 #include "gui/workbench/dialogs/shortcut_sheet.h"
+#include "gui/workbench/edit_actions.h"
 #include "gui/workbench/editor/scenario_editor.h"
 #include "gui/workbench/file_actions.h"
 #include "gui/workbench/findings_updater.h"
@@ -114,14 +115,8 @@ void MainWindow::make_menus(const WindowOptions& options) {
   auto* quit = file->addAction(tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), this, &QWidget::close);
   quit->setMenuRole(QAction::QuitRole);
 
-  auto* undo = document_->undo_stack()->createUndoAction(this, tr("Undo"));
-  undo->setShortcut(QKeySequence::Undo);
-  auto* redo = document_->undo_stack()->createRedoAction(this, tr("Redo"));
-  redo->setShortcut(QKeySequence::Redo);
-  // What they are called where it does not matter what they would undo.
-  undo->setIconText(tr("Undo"));
-  redo->setIconText(tr("Redo"));
-  edit->addActions({undo, redo});
+  edit_actions_ = new EditActions(*document_, this);
+  edit_actions_->fill(*edit);
   edit->addSeparator();
   auto* find =
       edit->addAction(tr("Find parameter"), QKeySequence(QKeySequence::Find), editor_, &ScenarioEditor::focus_search);
@@ -171,6 +166,11 @@ void MainWindow::fill_panels(QMenu& menu) {
 }
 
 void MainWindow::make_help(QMenu& menu, const QString& about) {
+  auto* start = menu.addAction(tr("Start page"), this, &MainWindow::show_start_page);
+  start->setStatusTip(tr("Recent files, scenarios as pictures, a guided first capture"));
+  auto* guide = menu.addAction(tr("Guided first capture"), this, &MainWindow::begin_first_capture);
+  guide->setStatusTip(tr("Six steps from the pocket to a picture of its capture"));
+  menu.addSeparator();
   auto* keys = menu.addAction(tr("Keyboard and mouse"), QKeySequence(Qt::Key_F1), this,
                               [this] { ShortcutSheet(*menuBar(), this).exec(); });
   keys->setStatusTip(tr("All keys and what the mouse does"));

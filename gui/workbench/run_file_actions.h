@@ -24,6 +24,7 @@ class RunFileActions : public QObject {
                  std::function<QString()> folder, QWidget* window);
 
   void fill(QMenu& menu);
+  void ask_for_export();
 
   // As chosen in a dialog that was accepted.
   void export_as(const ExportDialog& dialog);
@@ -46,7 +47,6 @@ class RunFileActions : public QObject {
 
  private:
   void save_shown();
-  void ask_for_export();
   void run_saved();
 
   CaptureSession& session_;

@@ -152,7 +152,11 @@ int run_workbench(const WorkbenchOptions& options) {
   window_options.about = QString::fromStdString(options.version_text);
   window_options.program = QApplication::applicationFilePath();
   MainWindow window(window_options);
-  if (!options.file.empty()) window.open(QString::fromStdString(options.file));
+  if (!options.file.empty()) {
+    window.open(QString::fromStdString(options.file));
+  } else if (!window.offers_recovery()) {
+    window.show_start_page();
+  }
   if (!options.screenshot.empty()) take_screenshot(window, QString::fromStdString(options.screenshot));
   window.show();
   return QApplication::exec();

@@ -147,7 +147,7 @@ void ScenarioDocument::set_saved(StatePointer state) {
   emit saved_changed();
 }
 
-Diagnostics ScenarioDocument::open(const QString& path) {
+Diagnostics ScenarioDocument::read_file(const QString& path, StatePointer& state) {
   ScenarioResult result = read_scenario_file(path.toStdString());
   if (!result.ok()) return result.diagnostics;
   QFile file(path);
@@ -156,8 +156,30 @@ Diagnostics ScenarioDocument::open(const QString& path) {
     problems.add({.file = path.toStdString(), .message = "cannot be read: " + file.errorString().toStdString()});
     return problems;
   }
-  const auto state = std::make_shared<const State>(State{std::move(result.scenario), file.readAll().toStdString()});
+  state = std::make_shared<const State>(State{std::move(result.scenario), file.readAll().toStdString()});
+  return {};
+}
+
+Diagnostics ScenarioDocument::open(const QString& path) {
+  StatePointer state;
+  if (const Diagnostics problems = read_file(path, state); !problems.ok()) return problems;
   reset(state, path, state);
+  return {};
+}
+
+Diagnostics ScenarioDocument::revert() {
+  StatePointer state = saved_;
+  if (!path_.isEmpty()) {
+    if (const Diagnostics problems = read_file(path_, state); !problems.ok()) return problems;
+  } else if (state->text.empty()) {  // recovered, without a file
+    state = std::make_shared<const State>(State{state->scenario, write_scenario_text(state->scenario)});
+  }
+  recovered_ = false;
+  recovery_.remove();
+  if (state->text != state_->text) push(state, tr("revert to the saved version"));
+  set_saved(state);
+  if (undo_stack_.isClean()) emit modified_changed(false);
+  undo_stack_.setClean();
   return {};
 }
 

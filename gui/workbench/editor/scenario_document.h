@@ -64,6 +64,8 @@ class ScenarioDocument : public QObject {
   [[nodiscard]] Diagnostics open(const QString& path);
   [[nodiscard]] std::optional<QString> save();
   [[nodiscard]] std::optional<QString> save_as(const QString& path);
+  // Takes the file as it is now, or what a scenario without one began as, as an edit that can be undone.
+  [[nodiscard]] Diagnostics revert();
   // Starts anew, without a file, from a TOML text such as a preset's.
   [[nodiscard]] Diagnostics start_from(const QString& text);
   // The same from a scenario, such as that of a recording.
@@ -89,6 +91,7 @@ class ScenarioDocument : public QObject {
   friend class EditCommand;
   using StatePointer = std::shared_ptr<const State>;
 
+  [[nodiscard]] static Diagnostics read_file(const QString& path, StatePointer& state);
   void push(StatePointer next, const QString& text);
   void apply(const StatePointer& state);
   // The same with the folder of the present file, where meshes are looked for.

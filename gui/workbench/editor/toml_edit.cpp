@@ -94,12 +94,12 @@ bool has_header(std::string_view text, const toml::table& table, std::string_vie
 
 // Where a parameter stands: its table, and the path of that from the root. For items of lists the table is that of the
 // item.
-struct Place {
+struct TomlPlace {
   toml::node_view<const toml::node> table;
   bool is_item = false;
 };
 
-Place place_of(const toml::table& file, const Parameter& parameter) {
+TomlPlace place_of(const toml::table& file, const Parameter& parameter) {
   std::string_view path = parameter.key;
   path = path.substr(0, path.rfind('.'));
   const auto dot = path.rfind('.');
@@ -110,7 +110,7 @@ Place place_of(const toml::table& file, const Parameter& parameter) {
 }
 
 toml::node_view<const toml::node> node_of(const toml::table& file, const Parameter& parameter) {
-  const Place place = place_of(file, parameter);
+  const TomlPlace place = place_of(file, parameter);
   return place.is_item ? place.table[parameter.name()] : file.at_path(parameter.key);
 }
 
@@ -130,7 +130,7 @@ std::optional<std::string> with_value(std::string_view text, const Parameter& pa
     return replace(text, offset_of(text, region.begin), offset_of(text, region.end), written);
   }
   const std::string line = std::string(parameter.name()) + " = " + written;
-  if (const Place place = place_of(*file, parameter); place.is_item) {
+  if (const TomlPlace place = place_of(*file, parameter); place.is_item) {
     const toml::table* item = place.table.as_table();
     if (item == nullptr || item->is_inline()) return std::nullopt;
     return insert_line(text, last_line(*item), line);

@@ -5,40 +5,40 @@
 namespace netpocket {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("CameraNames", text); }
+QString camera_words(const char* text) { return QCoreApplication::translate("CameraNames", text); }
 
 }  // namespace
 
 QString camera_name(CameraPreset preset) {
   switch (preset) {
     case CameraPreset::iso:
-      return tr("Oblique");
+      return camera_words("Oblique");
     case CameraPreset::side:
-      return tr("Side");
+      return camera_words("Side");
     case CameraPreset::front:
-      return tr("Front");
+      return camera_words("Front");
     case CameraPreset::mouth:
-      return tr("Mouth");
+      return camera_words("Mouth");
     case CameraPreset::follow:
       break;
   }
-  return tr("Follow");
+  return camera_words("Follow");
 }
 
 QString camera_help(CameraPreset preset) {
   switch (preset) {
     case CameraPreset::iso:
-      return tr("From the side and a little ahead");
+      return camera_words("From the side and a little ahead");
     case CameraPreset::side:
-      return tr("Square to the pocket's axis, without perspective");
+      return camera_words("Square to the pocket's axis, without perspective");
     case CameraPreset::front:
-      return tr("Along the axis into the mouth, without perspective");
+      return camera_words("Along the axis into the mouth, without perspective");
     case CameraPreset::mouth:
-      return tr("Obliquely into the mouth");
+      return camera_words("Obliquely into the mouth");
     case CameraPreset::follow:
       break;
   }
-  return tr("Oblique, moving with the target");
+  return camera_words("Oblique, moving with the target");
 }
 
 }  // namespace netpocket
