@@ -31,6 +31,15 @@ Mouth measure_mouth(const Snapshot& snapshot, const std::vector<std::int32_t>& t
   return mouth;
 }
 
+// The closing rope that is wound in farthest: ropes differ when a retractor has jammed or starts late.
+const RopeMotion& shortest_rope(const CableSystem& system, std::size_t ropes) {
+  std::int32_t shortest = 0;
+  for (std::int32_t rope = 1; rope < static_cast<std::int32_t>(ropes); ++rope) {
+    if (system.rope_motion(rope).length < system.rope_motion(shortest).length) shortest = rope;
+  }
+  return system.rope_motion(shortest);
+}
+
 }  // namespace
 
 PocketChannels::PocketChannels(const Pocket& pocket)
@@ -62,7 +71,7 @@ void PocketChannels::fill(const CableSystem& system, Snapshot& snapshot) const {
   snapshot.channel(Channel::closing_length) = mouth.side;
   snapshot.channel(Channel::closing_speed) = mouth.side_rate;
   snapshot.channel(Channel::mouth_radius) = mouth.radius;
-  const RopeMotion& rope = system.rope_motion(0);
+  const RopeMotion& rope = shortest_rope(system, interior_.tips().size());
   snapshot.channel(Channel::commanded_length) = rope.length;
   snapshot.channel(Channel::commanded_speed) = rope.rate;
   snapshot.channel(Channel::target_inside) = target_is_inside(snapshot) ? 1 : 0;

@@ -160,6 +160,18 @@ TEST(PocketControl, WinchesFollowTheLawAndAJammedOneStays) {
   EXPECT_LT(std::abs(channel(end, "energy_error")), 0.02 * channel(end, "energy_input"));
 }
 
+// What the mouth is compared with is what the ropes that still move come to, whichever rope jams.
+TEST(PocketControl, TheCommandedLengthIsNotThatOfAJammedRope) {
+  Scenario scenario = coarse();
+  scenario.winch.drive = WinchDrive::length;
+  scenario.closing.duration = 5;
+  scenario.winch.jammed = {{1, 1.0}};
+  Simulation jammed(scenario);
+  const Snapshot end = after(jammed, 2.0);
+  EXPECT_EQ(channel(end, "commanded_length"), channel(end, "winch_length_5"));
+  EXPECT_LT(channel(end, "commanded_length"), channel(end, "winch_length_1") - 0.3);
+}
+
 // A proportional loop: rate = gain (tension - wanted), on average over the sensor's noise.
 TEST(PocketControl, WinchesWindByTheErrorOfTheTension) {
   Scenario scenario = coarse();
