@@ -94,7 +94,7 @@ TEST(CommandLine, WrongUsageIsOneSentenceAndStatus2) {
       {{"render", "a.h5", "-o", "b", "--times", "1", "--fps", "5"}, "--times excludes --fps"},
       {{"plot", "a.h5", "-o", "b", "--figure", "figure05_froce"}, R"(did you mean "figure05_force"?)"},
       {{"plot", "a.h5", "-o", "b", "--format", "jpeg"}, R"(did you mean "png"?)"},
-      {{"export", "a.h5"}, "give --csv or --vtp"}};
+      {{"export", "a.h5"}, "nothing to write: give --csv"}};
   for (const Slip& slip : slips) expect_usage_error(slip.arguments, slip.message);
 }
 
