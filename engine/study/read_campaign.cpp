@@ -16,7 +16,7 @@ class CampaignReader {
   CampaignReader(Study& study, const ReportProblem& report) : study_(study), report_(report) {}
 
   void read_estimate(const toml::table& table) {
-    check_names(table, {"confidence", "quantiles", "of"});
+    check_names(table, {"confidence", "quantiles", "of"}, report_);
     study_.estimate.confidence = share(table, "confidence", study_.estimate.confidence);
     if (const toml::node* quantiles = table.get("quantiles")) {
       const toml::array* list = quantiles->as_array();
@@ -38,17 +38,17 @@ class CampaignReader {
   }
 
   void read_until(const toml::table& table) {
-    check_names(table, {"of", "half_width", "batch"});
+    check_names(table, {"of", "half_width", "batch"}, report_);
     if (text(table, "of", "captured") != "captured") {
       report_(table, "until.of", "is \"captured\": the probability of capture");
     }
     if (!table.contains("half_width")) report_(table, "until.half_width", "says how narrow the interval is to be");
     study_.until.half_width = share(table, "half_width", 0.5);
-    study_.until.batch = whole(table, "batch", 1, static_cast<int>(kMostStudyPoints), 100);
+    study_.until.batch = whole_number(table, "batch", 1, static_cast<int>(kMostStudyPoints), 100, report_);
   }
 
   void read_sensitivity(const toml::table& table) {
-    check_names(table, {"method", "of", "blocks", "trajectories", "levels"});
+    check_names(table, {"method", "of", "blocks", "trajectories", "levels"}, report_);
     StudySensitivity& sensitivity = study_.sensitivity;
     const std::string method = text(table, "method", "sobol");
     if (method != "sobol" && method != "morris") {
@@ -63,13 +63,13 @@ class CampaignReader {
               fmt::format("method \"{}\" needs '{}': it takes (inputs + {}) points for each", method, size,
                           is_sobol ? 2 : 1));
     }
-    sensitivity.size = whole(table, size, 2, static_cast<int>(kMostStudyPoints), 2);
-    sensitivity.levels = whole(table, "levels", 2, 1000, 4);
+    sensitivity.size = whole_number(table, size, 2, static_cast<int>(kMostStudyPoints), 2, report_);
+    sensitivity.levels = whole_number(table, "levels", 2, 1000, 4, report_);
     if (sensitivity.levels % 2 != 0) report_(table, "sensitivity.levels", "is an even number");
   }
 
   void read_statement(const toml::table& table) {
-    check_names(table, {"text", "column", "variant", "against", "at_most", "at_least"});
+    check_names(table, {"text", "column", "variant", "against", "at_most", "at_least"}, report_);
     StudyStatement statement{.text = text(table, "text", ""),
                              .column = text(table, "column", ""),
                              .variant = text(table, "variant", study_.variants.front().name),
@@ -96,28 +96,12 @@ class CampaignReader {
     return value;
   }
 
-  void check_names(const toml::table& table, const std::vector<std::string>& known) {
-    for (const auto& [name, node] : entries(table)) {
-      if (std::ranges::find(known, name) != known.end()) continue;
-      report_(*node, name, fmt::format("is not a key here; these are: {}", fmt::join(known, ", ")));
-    }
-  }
-
   std::string text(const toml::table& table, const std::string& key, const std::string& otherwise) {
     const toml::node* node = table.get(key);
     if (!node) return otherwise;
     const auto value = node->value_exact<std::string>();
     if (!value) report_(*node, key, "expects a text in quotes");
     return value.value_or(otherwise);
-  }
-
-  int whole(const toml::table& table, const std::string& key, int lowest, int highest, int otherwise) {
-    const toml::node* node = table.get(key);
-    if (!node) return otherwise;
-    const auto value = node->value_exact<std::int64_t>();
-    if (value && *value >= lowest && *value <= highest) return static_cast<int>(*value);
-    report_(*node, key, fmt::format("expects a whole number from {} to {}", lowest, highest));
-    return otherwise;
   }
 
   double share(const toml::table& table, const std::string& key, double otherwise) {

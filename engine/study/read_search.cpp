@@ -19,8 +19,10 @@ class SearchReader {
       : scenario_(scenario), study_(study), report_(report) {}
 
   void read_optimisation(const toml::table& table) {
-    check_names(table, {"minimise", "maximise", "statistic", "over", "constraint", "candidates", "population",
-                        "restarts", "step", "least_step", "check"});
+    check_names(table,
+                {"minimise", "maximise", "statistic", "over", "constraint", "candidates", "population", "restarts",
+                 "step", "least_step", "check"},
+                report_);
     StudyOptimisation& search = study_.optimisation;
     search.is_maximised = table.contains("maximise");
     if (search.is_maximised == table.contains("minimise")) {
@@ -28,12 +30,12 @@ class SearchReader {
     }
     search.objective = {text(table, search.is_maximised ? "maximise" : "minimise"), statistic(table)};
     if (!table.contains("candidates")) report_(table, "optimise.candidates", "says how many candidates to run");
-    search.candidates = whole(table, "candidates", 2, static_cast<int>(kMostStudyPoints), 2);
-    search.population = whole(table, "population", 4, 10000, 0);
-    search.restarts = whole(table, "restarts", 0, 20, search.restarts);
+    search.candidates = whole_number(table, "candidates", 2, static_cast<int>(kMostStudyPoints), 2, report_);
+    search.population = whole_number(table, "population", 4, 10000, 0, report_);
+    search.restarts = whole_number(table, "restarts", 0, 20, search.restarts, report_);
     search.step = between(table, "step", 0, 1, search.step);
     search.least_step = between(table, "least_step", 0, 1, search.least_step);
-    search.check = whole(table, "check", 30, static_cast<int>(kMostStudyPoints), search.check);
+    search.check = whole_number(table, "check", 30, static_cast<int>(kMostStudyPoints), search.check, report_);
     const toml::table* over = table.get_as<toml::table>("over");
     if (over) read_ranges(*over, "");
     if (search.over.empty()) {
@@ -43,7 +45,7 @@ class SearchReader {
   }
 
   void read_rare(const toml::table& table) {
-    check_names(table, {"of", "at_most", "at_least", "samples", "levels"});
+    check_names(table, {"of", "at_most", "at_least", "samples", "levels"}, report_);
     StudyRareFailure& rare = study_.rare;
     rare.of = text(table, "of");
     rare.is_above = table.contains("at_least");
@@ -51,9 +53,9 @@ class SearchReader {
       report_(table, "rare", "needs either 'at_most' or 'at_least', the number at which a capture fails");
     }
     rare.limit = number(table, rare.is_above ? "at_least" : "at_most").value_or(0);
-    rare.samples = whole(table, "samples", 100, static_cast<int>(kMostStudyPoints), rare.samples);
+    rare.samples = whole_number(table, "samples", 100, static_cast<int>(kMostStudyPoints), rare.samples, report_);
     if (rare.samples % 10 != 0) report_(table, "rare.samples", "is a multiple of 10");
-    rare.levels = whole(table, "levels", 1, 15, rare.levels);
+    rare.levels = whole_number(table, "levels", 1, 15, rare.levels, report_);
   }
 
   // What a search needs, and what does not go with it.
@@ -104,7 +106,7 @@ class SearchReader {
   }
 
   void read_range(const std::string& key, const toml::table& range) {
-    check_names(range, {"from", "to", "scale"});
+    check_names(range, {"from", "to", "scale"}, report_);
     Axis axis{.key = key};
     axis.from = number(range, "from").value_or(0);
     axis.to = number(range, "to").value_or(1);
@@ -142,7 +144,7 @@ class SearchReader {
     }
     for (const toml::node& element : *node.as_array()) {
       const toml::table& table = *element.as_table();
-      check_names(table, {"of", "statistic", "at_most", "at_least"});
+      check_names(table, {"of", "statistic", "at_most", "at_least"}, report_);
       StudyConstraint constraint{
           {text(table, "of"), statistic(table)}, number(table, "at_most", false), number(table, "at_least", false)};
       if (!constraint.at_most && !constraint.at_least) {
@@ -190,22 +192,6 @@ class SearchReader {
     if (value && *value > lowest && *value < highest) return *value;
     report_(table, key, fmt::format("expects a number between {} and {}", lowest, highest));
     return otherwise;
-  }
-
-  int whole(const toml::table& table, const std::string& key, int lowest, int highest, int otherwise) {
-    const toml::node* node = table.get(key);
-    if (!node) return otherwise;
-    const auto value = node->value_exact<std::int64_t>();
-    if (value && *value >= lowest && *value <= highest) return static_cast<int>(*value);
-    report_(*node, key, fmt::format("expects a whole number from {} to {}", lowest, highest));
-    return otherwise;
-  }
-
-  void check_names(const toml::table& table, const std::vector<std::string>& known) {
-    for (const auto& [name, node] : entries(table)) {
-      if (std::ranges::find(known, name) != known.end()) continue;
-      report_(*node, name, fmt::format("is not a key here; these are: {}", fmt::join(known, ", ")));
-    }
   }
 
   const Scenario& scenario_;

@@ -31,4 +31,21 @@ std::vector<TomlEntry> entries(const toml::table& table) {
   return found;
 }
 
+int whole_number(const toml::table& table, const std::string& key, int lowest, int highest, int otherwise,
+                 const ReportProblem& report) {
+  const toml::node* node = table.get(key);
+  if (!node) return otherwise;
+  const auto value = node->value_exact<std::int64_t>();
+  if (value && *value >= lowest && *value <= highest) return static_cast<int>(*value);
+  report(*node, key, fmt::format("expects a whole number from {} to {}", lowest, highest));
+  return otherwise;
+}
+
+void check_names(const toml::table& table, const std::vector<std::string>& known, const ReportProblem& report) {
+  for (const auto& [name, node] : entries(table)) {
+    if (std::ranges::find(known, name) != known.end()) continue;
+    report(*node, name, fmt::format("is not a key here; these are: {}", fmt::join(known, ", ")));
+  }
+}
+
 }  // namespace netpocket

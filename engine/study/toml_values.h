@@ -25,4 +25,11 @@ std::vector<TomlEntry> entries(const toml::table& table);
 // Takes a problem: where it is, the key, and the rest of the sentence.
 using ReportProblem = std::function<void(const toml::node&, const std::string& key, const std::string& message)>;
 
+// The whole number at a key, or `otherwise` where there is none. Anything else is reported.
+int whole_number(const toml::table& table, const std::string& key, int lowest, int highest, int otherwise,
+                 const ReportProblem& report);
+
+// Reports the keys of a table that are not among the known ones.
+void check_names(const toml::table& table, const std::vector<std::string>& known, const ReportProblem& report);
+
 }  // namespace netpocket
