@@ -106,6 +106,7 @@ struct ContactSettings {
   double restitution = 0.5;
   double friction = 0;
   double friction_velocity = 1e-3;  // m/s
+  double edge_radius = 0;           // m, of boxes and cylinders for contact with cables (contact/contact_part.h)
   bool cords = false;               // whether cords touch each other
   bool bodies = false;              // whether rigid bodies touch each other
 };

@@ -181,6 +181,7 @@ constexpr std::array kParameters = {
     parameter<kContact, &Contact::restitution>("contact.restitution", within(0, 1), "", "Newton's coefficient of restitution c_r of the paper's section 3.3", kAssumption),
     parameter<kContact, &Contact::friction>("contact.friction", within(0, 10), "", "Coulomb's coefficient of friction mu of the paper's section 3.3", kAssumption),
     parameter<kContact, &Contact::friction_velocity>("contact.friction_velocity", within(1e-6, 1), "m/s", "sliding speed at which friction is fully developed", kAssumption),
+    parameter<kContact, &Contact::edge_radius>("contact.edge_radius", within(0, 1), "m", "radius of the edges of boxes, cylinders and satellites where cords touch them, at most a quarter of a part's thickness; 0: sharp. A cord that a load presses deeper than its own radius slips off a sharp edge", kAssumption),
     parameter<kContact, &Contact::spacecraft>("contact.spacecraft", kNone, "", "cords touch the spacecraft too", kAssumption),
     parameter<kContact, &Contact::cords>("contact.cords", kNone, "", "net, closing ropes and rods touch each other; false: they pass through each other", kAssumption),
     parameter<kContact, &Contact::bodies>("contact.bodies", kNone, "", "target and spacecraft touch each other; false: they pass through each other", kAssumption),

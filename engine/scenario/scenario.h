@@ -101,6 +101,7 @@ struct ContactParameters {
   double restitution = 0.5;         // Newton's coefficient of restitution c_r
   double friction = 0.4;            // Coulomb's coefficient mu
   double friction_velocity = 1e-3;  // m/s, sliding speed from which friction is fully developed
+  double edge_radius = 0;           // m, of boxes and cylinders for cords; 0: sharp edges
   bool spacecraft = true;           // whether cords touch the spacecraft
   bool cords = true;                // whether net, ropes and rods touch each other
   bool bodies = true;               // whether target and spacecraft touch each other

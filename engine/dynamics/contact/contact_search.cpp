@@ -47,7 +47,7 @@ double score_apart(const WeightedPlace& place) {
 }  // namespace
 
 ContactSearch::ContactSearch(const Model& model, std::span<const std::int32_t> next, std::int32_t body)
-    : parts_(contact_parts(model.bodies[static_cast<std::size_t>(body)].shape)),
+    : parts_(contact_parts(model.bodies[static_cast<std::size_t>(body)].shape, model.contact.edge_radius)),
       bounding_radius_(netpocket::bounding_radius(model.bodies[static_cast<std::size_t>(body)].shape)),
       smallest_radius_(kNever),
       next_(next.begin(), next.end()),

@@ -41,6 +41,7 @@ class PocketBuilder {
     model.contact = {.restitution = scenario_.contact.restitution,
                      .friction = scenario_.contact.friction,
                      .friction_velocity = scenario_.contact.friction_velocity,
+                     .edge_radius = scenario_.contact.edge_radius,
                      .cords = scenario_.contact.cords,
                      .bodies = scenario_.contact.bodies};
     model.gravity = scenario_.solver.gravity;

@@ -37,7 +37,11 @@ std::vector<ContactPart> solids() {
                              Shape(Cylinder{0.4, 1.1}), Shape(Cylinder{0.01, 2}), mesh}) {
     parts.push_back(contact_parts(shape).front());
   }
-  for (const ContactPart& part : contact_parts(Satellite({{1, 1.4, 1}, 5, 1, 0.8}))) parts.push_back(part);
+  for (const double edge_radius : {0.0, 0.06}) {
+    for (const ContactPart& part : contact_parts(Satellite({{1, 1.4, 1}, 5, 1, 0.8}), edge_radius)) {
+      parts.push_back(part);
+    }
+  }
   return parts;
 }
 
@@ -48,6 +52,30 @@ double nearest_by_trial(const ContactPart& part, const Segment& segment) {
     least = std::min(least, part.nearest(segment.start + i / 4000.0 * (segment.end - segment.start)).distance);
   }
   return least;
+}
+
+// Beside a face nothing changes. Beside an edge the distance is that of a circle about its axis, also inside.
+TEST(ContactPart, RoundEdges) {
+  const double radius = 0.1, root = std::sqrt(0.5);
+  const ContactPart box = contact_parts(Box{{1, 2, 3}}, radius).front();
+  EXPECT_EQ(box.rounding, radius);
+  EXPECT_NEAR(box.nearest({0.55, 0.2, 0}).distance, 0.05, 1e-15);
+  EXPECT_NEAR(box.nearest({0.45, 0.2, 0}).distance, -0.05, 1e-15);
+  const Vector3d axis(0.4, 0.9, 0.3);  // of the round edge
+  for (const double from_axis : {0.02, 0.08, 0.1, 0.3}) {
+    for (const double angle : {0.1, 0.7, 1.4}) {
+      const Vector3d normal(std::cos(angle), std::sin(angle), 0);
+      const SurfacePoint found = box.nearest(axis + from_axis * normal);
+      EXPECT_NEAR(found.distance, from_axis - radius, 1e-14);
+      EXPECT_LT((found.normal - normal).norm(), 1e-13);
+    }
+  }
+  const ContactPart cylinder = contact_parts(Cylinder{0.5, 2}, radius).front();
+  const SurfacePoint rim = cylinder.nearest(Vector3d(0.4, 0.9, 0) + 0.05 * Vector3d(root, root, 0));
+  EXPECT_NEAR(rim.distance, -0.05, 1e-14);
+  EXPECT_LT((rim.normal - Vector3d(root, root, 0)).norm(), 1e-13);
+  EXPECT_EQ(contact_parts(Box{{0.02, 1, 1}}, radius).front().rounding, 0.005);
+  EXPECT_EQ(contact_parts(Sphere{0.7}, radius).front().rounding, 0);
 }
 
 TEST(SegmentContact, NothingOnThePieceIsNearer) {

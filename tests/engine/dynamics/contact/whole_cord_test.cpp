@@ -113,9 +113,11 @@ std::vector<Hold> holds() {
 
 // A cord of 4 m under tension between two fixed points, held up in its middle by 0.25 m: 14 degrees on each side.
 struct HeldCord {
-  HeldCord(const Hold& hold, int elements_per_metre, double place) {
+  HeldCord(const Hold& hold, int elements_per_metre, double place, double radius = net_cord().radius,
+           double edge_radius = 0) {
     constexpr double kTension = 60, kRise = 0.25;
     CableMaterial cord = net_cord();
+    cord.radius = radius;
     cord.section.EA = 2e4;  // stretches by 1 %: its tension is of its length, not of its bends
     cord.section.EI = 1e-3;
     cord.section.axial_damping = 2e-5;
@@ -129,6 +131,7 @@ struct HeldCord {
     model.fix_node(cable.nodes.back());
     model.add_body(anvil(hold.shape, {place, -hold.top - 0.002, 0}, hold.attitude));
     model.contact.friction = 0;
+    model.contact.edge_radius = edge_radius;
     system = std::make_unique<CableSystem>(model);
     step = kStep;
     // Rises gently, which excites little, then stands.
@@ -184,6 +187,22 @@ TEST_F(VerificationWholeCord, TautCordOverEdgesAndRounds) {
           "equilibrium: N = 2 T sin(angle/2) by the directions of its ends, which one element of a metre bends");
     }
   }
+}
+
+// A cord whose axis is pressed into the body, beside a round edge.
+TEST_F(VerificationWholeCord, RoundEdgeBearsADeepCord) {
+  const double radius = 3e-5, edge_radius = 5e-3;
+  HeldCord cord(holds().front(), 2, 0.2, radius, edge_radius);
+  const double force = cord.mean_force(0.2);
+  ASSERT_GT(force, 40);
+  EXPECT_GT(cord.system->take_deepest_contacts().penetration, 2 * radius);
+  expect_below("taut cord over a round edge, deeper than its radius: force against its ends' pull, relative",
+               std::abs(force / cord.expected_force() - 1), 0.01, "equilibrium: N = 2 T sin(angle/2)");
+  // The edge is lower than the sharp one by (sqrt(2) - 1) of its radius. With the tension T0 + EA (rise/2 m)^2/2 the
+  // force grows with the power 1 + 2 (T - T0)/T = 2.44 of the rise.
+  HeldCord sharp(holds().front(), 2, 0.2, radius);
+  const double less = 2.44 * (std::numbers::sqrt2 - 1) * edge_radius / 0.25;
+  EXPECT_NEAR(1 - force / sharp.mean_force(0.2), less, 0.1 * less);
 }
 
 // The body moves along the cord by more than an element: past a middle and a node.
