@@ -9,6 +9,7 @@
 
 #include "gui/workbench/dialogs/differences_dialog.h"
 #include "gui/workbench/dialogs/part_dialog.h"
+#include "gui/workbench/panels/engine_words.h"
 
 namespace netpocket {
 namespace {
@@ -65,7 +66,7 @@ void EditActions::refresh() {
 
 void EditActions::revert() {
   const Diagnostics problems = document_.revert();
-  if (!problems.ok()) return emit problem(QString::fromStdString(problems.text()));
+  if (!problems.ok()) return emit problem(diagnostics_words(problems));
   emit told(tr("Reverted to the saved version; Undo takes that back."));
 }
 

@@ -10,6 +10,7 @@
 #include "gui/workbench/action_icons.h"
 #include "gui/workbench/editor/presets.h"
 #include "gui/workbench/panels/ask_for_file.h"
+#include "gui/workbench/panels/engine_words.h"
 
 namespace netpocket {
 namespace {
@@ -56,7 +57,7 @@ void FileActions::fill(QMenu& menu, QToolBar& bar) {
 void FileActions::fill_presets(QMenu& menu) {
   menu.setToolTipsVisible(true);
   for (const Preset& preset : presets()) {
-    auto* action = add(menu, preset.name, {}, preset.description);
+    auto* action = add(menu, preset.name, {}, sentence_of(preset));
     connect(action, &QAction::triggered, this, [this, name = preset.name] { open_preset(name); });
   }
 }
@@ -97,7 +98,7 @@ bool FileActions::open_preset(const QString& name) {
   for (const Preset& preset : presets()) {
     if (preset.name != name || !may_discard()) continue;
     const Diagnostics problems = document_.start_from(preset.text);
-    if (!problems.ok()) emit problem(QString::fromStdString(problems.text()));
+    if (!problems.ok()) emit problem(diagnostics_words(problems));
     return problems.ok();
   }
   return false;

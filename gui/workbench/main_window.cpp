@@ -25,6 +25,7 @@
 #include "gui/workbench/file_actions.h"
 #include "gui/workbench/findings_updater.h"
 #include "gui/workbench/lost_runs_bar.h"
+#include "gui/workbench/panels/engine_words.h"
 #include "gui/workbench/panels/findings_panel.h"
 #include "gui/workbench/panels/plots_panel.h"
 #include "gui/workbench/picked_plot.h"
@@ -228,7 +229,8 @@ void MainWindow::show_notice(const QString& text) {
   scenario_notice_ = false;
   if (!text.isEmpty()) start_page_->close_page();  // which would cover it
   // The libraries' sentences go on after "netpocket: ", here they begin.
-  notice_->show_text(text.startsWith("cannot ") ? "C" + text.mid(1) : text);
+  const QString words = engine_words(text);
+  notice_->show_text(words.startsWith("cannot ") ? "C" + words.mid(1) : words);
 }
 
 void MainWindow::show_scenario_notice(const QString& text) {
@@ -260,7 +262,7 @@ std::optional<Scenario> MainWindow::scenario_to_run() {
   const Diagnostics& problems = document_->diagnostics();
   if (!problems.ok()) {
     const Diagnostic& first = problems.list().front();
-    show_scenario_notice(tr("This scenario cannot be simulated: %1").arg(QString::fromStdString(first.text())));
+    show_scenario_notice(tr("This scenario cannot be simulated: %1").arg(diagnostic_words(first)));
     editor_->reveal(QString::fromStdString(first.key));
     return std::nullopt;
   }
@@ -277,7 +279,7 @@ void MainWindow::open(const QString& path) {
   }
   if (!file_actions_->may_discard()) return;
   const Diagnostics problems = document_->open(path);
-  if (!problems.ok()) show_notice(QString::fromStdString(problems.text()));
+  if (!problems.ok()) show_notice(diagnostics_words(problems));
 }
 
 void MainWindow::show_preview(const PocketPreview& preview) {

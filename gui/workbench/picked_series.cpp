@@ -9,7 +9,9 @@
 namespace netpocket {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("PickedSeries", text); }
+struct SeriesWords {
+  Q_DECLARE_TR_FUNCTIONS(PickedSeries)
+};
 
 void add(std::vector<double>& values, const Eigen::Vector3d& v) { values.insert(values.end(), {v.x(), v.y(), v.z()}); }
 
@@ -23,10 +25,12 @@ std::size_t curve_count(const std::vector<PickedQuantity>& quantities) {
 
 std::vector<PickedQuantity> quantities_of(const Pick& pick) {
   const std::vector<QString> components = {"x", "y", "z"};
-  const PickedQuantity position = {tr("Position"), tr("Position (m)"), components};
-  const PickedQuantity speed = {tr("Speed"), tr("Speed (m/s)"), {QString()}};
+  const PickedQuantity position = {SeriesWords::tr("Position"), SeriesWords::tr("Position (m)"), components};
+  const PickedQuantity speed = {SeriesWords::tr("Speed"), SeriesWords::tr("Speed (m/s)"), {QString()}};
   if (pick.kind != PickKind::element) return {position, speed};
-  return {{tr("Tension"), tr("Tension (N)"), {QString()}}, {tr("Strain"), tr("Strain"), {QString()}}, position};
+  return {{SeriesWords::tr("Tension"), SeriesWords::tr("Tension (N)"), {QString()}},
+          {SeriesWords::tr("Strain"), SeriesWords::tr("Strain"), {QString()}},
+          position};
 }
 
 std::vector<double> values_of(const Pick& pick, const Structure& structure, const Snapshot& frame) {
@@ -56,7 +60,7 @@ std::vector<Panel> picked_panels(const std::vector<PickedQuantity>& quantities, 
   for (const PickedQuantity& quantity : quantities) {
     Panel panel;
     panel.title = quantity.title.toStdString();
-    panel.x.title = tr("Time *t* (s)").toStdString();
+    panel.x.title = SeriesWords::tr("Time *t* (s)").toStdString();
     panel.y.title = quantity.axis.toStdString();
     for (std::size_t i = 0; i < quantity.names.size(); ++i, ++column) {
       Curve curve;

@@ -10,6 +10,7 @@ constexpr const char* kCacheKey = "preferences/cache_mebibytes";
 constexpr const char* kThreadsKey = "preferences/threads";
 constexpr const char* kPresenterKey = "preferences/presenter";
 constexpr const char* kAskKey = "preferences/ask_about_runs";
+constexpr const char* kLanguageKey = "preferences/language";
 
 int number(const QSettings& settings, const char* key, int otherwise, int lowest, int highest) {
   bool is_number = false;
@@ -29,6 +30,7 @@ Preferences read_preferences(const QSettings& settings) {
   preferences.threads = number(settings, kThreadsKey, usual.threads, 1, most_threads());
   preferences.presenter = static_cast<PresenterKind>(number(settings, kPresenterKey, 0, 0, 2));
   preferences.ask_about_runs = settings.value(kAskKey, usual.ask_about_runs).toBool();
+  preferences.language = settings.value(kLanguageKey, usual.language).toString();
   return preferences;
 }
 
@@ -37,6 +39,7 @@ void write_preferences(const Preferences& preferences, QSettings& settings) {
   settings.setValue(kThreadsKey, preferences.threads);
   settings.setValue(kPresenterKey, static_cast<int>(preferences.presenter));
   settings.setValue(kAskKey, preferences.ask_about_runs);
+  settings.setValue(kLanguageKey, preferences.language);
 }
 
 }  // namespace netpocket

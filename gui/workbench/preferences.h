@@ -3,6 +3,7 @@
 
 #include <QSettings>
 
+#include "gui/workbench/language.h"
 #include "gui/workbench/viewport/presenter.h"
 
 namespace netpocket {
@@ -13,7 +14,8 @@ struct Preferences {
   int cache_mebibytes = 512;  // of frames in memory; older ones are read from the recording
   int threads = 1;            // of a simulation
   PresenterKind presenter = PresenterKind::automatic;
-  bool ask_about_runs = true;  // when unsaved runs would be lost by closing
+  bool ask_about_runs = true;          // when unsaved runs would be lost by closing
+  QString language = kSystemLanguage;  // a code of languages(); from the next start on
 
   std::size_t cache_bytes() const { return static_cast<std::size_t>(cache_mebibytes) << 20; }
 };

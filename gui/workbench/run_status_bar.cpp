@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/analysis/summary.h"
+#include "gui/workbench/panels/engine_words.h"
 #include "gui/workbench/panels/tones.h"
 
 namespace netpocket {
@@ -31,7 +32,7 @@ QString state_text(const Run& run) {
 
 QString step_text(const RunStatistics& statistics, double step) {
   if (!(step > 0)) return {};
-  const QString limit = QString::fromStdString(statistics.step_limit);
+  const QString limit = engine_words(statistics.step_limit);
   if (step >= 1e-3) return RunStatusBar::tr("step %1 ms: %2").arg(1e3 * step, 0, 'f', 2).arg(limit);
   return RunStatusBar::tr("step %1 µs: %2").arg(1e6 * step, 0, 'f', 1).arg(limit);
 }
@@ -51,19 +52,20 @@ QString energy_text(const RunSeries& series, std::size_t frame) {
 
 RunStatusBar::RunStatusBar(QWidget* parent) : QStatusBar(parent) {
   setSizeGripEnabled(false);
-  state_ = add_field(tr("What the run is doing"), "Preparing");
-  time_ = add_field(tr("Simulated time"), "t = 000.000 s");
-  speed_ = add_field(tr("Speed of the simulation against real time"), "0.000 × real time");
-  step_ = add_field(tr("Integration step, and what limits it"), "");
-  contacts_ = add_field(tr("Contact points that touch the target"), "contacts: 000");
-  energy_ = add_field(tr("Energy balance: its error against the energy put in"), "energy error 0.0e-00 %");
+  state_ = add_field(tr("What the run is doing"), tr("Preparing"));
+  time_ = add_field(tr("Simulated time"), tr("t = %1 s").arg("000.000"));
+  speed_ = add_field(tr("Speed of the simulation against real time"), tr("%1 × real time").arg("0.000"));
+  step_ = add_field(tr("Integration step, and what limits it"), QString());
+  contacts_ = add_field(tr("Contact points that touch the target"), tr("contacts: %1").arg("000"));
+  energy_ =
+      add_field(tr("Energy balance: its error against the energy put in"), tr("energy error %1 %").arg("0.0e-00"));
 }
 
-QLabel* RunStatusBar::add_field(const QString& help, const char* widest) {
+QLabel* RunStatusBar::add_field(const QString& help, const QString& widest) {
   auto* label = new QLabel;
   label->setToolTip(help);
   label->setContentsMargins(kFieldMargin, 0, kFieldMargin, 0);
-  label->setMinimumWidth(fontMetrics().horizontalAdvance(QString::fromUtf8(widest)) + 2 * kFieldMargin);
+  label->setMinimumWidth(fontMetrics().horizontalAdvance(widest) + 2 * kFieldMargin);
   addPermanentWidget(label);
   return label;
 }

@@ -22,7 +22,7 @@ class RunStatusBar : public QStatusBar {
   void changeEvent(QEvent* event) override;
 
  private:
-  QLabel* add_field(const QString& help, const char* widest);
+  QLabel* add_field(const QString& help, const QString& widest);
 
   void colour_state();
 

@@ -166,10 +166,9 @@ void ViewActions::add_see_through(QMenu& menu) {
   action->setChecked(settings_.value("view/see_through", false).toBool());
 }
 
-void ViewActions::add_switch(QMenu& menu, const QString& text, const QKeySequence& shortcut, bool SceneOptions::*option,
-                             const QString& help) {
+void ViewActions::add_switch(QMenu& menu, const char* key, const QString& text, const QKeySequence& shortcut,
+                             bool SceneOptions::*option, const QString& help) {
   auto* action = add(menu, text, shortcut, help);
-  const QString key = "view/" + text.toLower();
   options_.*option = settings_.value(key, options_.*option).toBool();
   action->setCheckable(true);
   action->setChecked(options_.*option);
@@ -182,19 +181,20 @@ void ViewActions::add_switch(QMenu& menu, const QString& text, const QKeySequenc
 
 void ViewActions::add_display(QMenu& menu) {
   auto* display = menu.addMenu(tr("Show"));
-  add_switch(*display, tr("Contact forces"), Qt::Key_A, &SceneOptions::contact_arrows,
+  add_switch(*display, "view/contact forces", tr("Contact forces"), Qt::Key_A, &SceneOptions::contact_arrows,
              tr("Show the force of each contact as an arrow"));
-  add_switch(*display, tr("Trails"), Qt::Key_R, &SceneOptions::trails,
+  add_switch(*display, "view/trails", tr("Trails"), Qt::Key_R, &SceneOptions::trails,
              tr("Show where the centres of mass have been so far"));
-  add_switch(*display, tr("Initial shape"), Qt::Key_I, &SceneOptions::ghost,
+  add_switch(*display, "view/initial shape", tr("Initial shape"), Qt::Key_I, &SceneOptions::ghost,
              tr("Show the pocket as it was at the start, too"));
   add_see_through(*display);
   display->addSeparator();
-  add_switch(*display, tr("Legend"), {}, &SceneOptions::legend, tr("Show what the colours mean"));
-  add_switch(*display, tr("Time"), {}, &SceneOptions::time_label, tr("Show the time in the picture"));
-  add_switch(*display, tr("Scale bar"), {}, &SceneOptions::scale_bar, tr("Show how long a metre is"));
-  add_switch(*display, tr("Axes"), {}, &SceneOptions::axes, tr("Show the world's directions"));
-  add_switch(*display, tr("Smooth lines"), {}, &SceneOptions::fast_smoothing, tr("Smooth edges; off: faster"));
+  add_switch(*display, "view/legend", tr("Legend"), {}, &SceneOptions::legend, tr("Show what the colours mean"));
+  add_switch(*display, "view/time", tr("Time"), {}, &SceneOptions::time_label, tr("Show the time in the picture"));
+  add_switch(*display, "view/scale bar", tr("Scale bar"), {}, &SceneOptions::scale_bar, tr("Show how long a metre is"));
+  add_switch(*display, "view/axes", tr("Axes"), {}, &SceneOptions::axes, tr("Show the world's directions"));
+  add_switch(*display, "view/smooth lines", tr("Smooth lines"), {}, &SceneOptions::fast_smoothing,
+             tr("Smooth edges; off: faster"));
   auto* ground = menu.addMenu(tr("Background"));
   auto* group = new QActionGroup(this);
   const std::array names = {tr("As the window"), tr("White"), tr("Space")};

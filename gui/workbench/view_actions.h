@@ -40,8 +40,8 @@ class ViewActions : public QObject {
   void add_saved_cameras(QMenu& menu);
   void add_colors(QMenu& menu, QToolBar& bar);
   void add_display(QMenu& menu);
-  void add_switch(QMenu& menu, const QString& text, const QKeySequence& shortcut, bool SceneOptions::*option,
-                  const QString& help);
+  void add_switch(QMenu& menu, const char* key, const QString& text, const QKeySequence& shortcut,
+                  bool SceneOptions::*option, const QString& help);
   void add_see_through(QMenu& menu);
   void save_camera(int slot);
   void recall_camera(int slot);

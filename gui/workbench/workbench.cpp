@@ -4,10 +4,12 @@
 
 #include <QApplication>
 #include <QScreen>
+#include <QSettings>
 #include <QTimer>
 #include <cstdlib>
 #include <memory>
 
+#include "gui/workbench/language.h"
 #include "gui/workbench/main_window.h"
 #include "gui/workbench/panels/window_fonts.h"
 #include "gui/workbench/panels/window_style.h"
@@ -143,6 +145,8 @@ int run_workbench(const WorkbenchOptions& options) {
   QApplication::setApplicationName("netpocket");
   QApplication::setApplicationDisplayName("Netpocket");
   QApplication::setApplicationVersion(QString::fromStdString(options.version));
+  QSettings settings("netpocket", "workbench");
+  const QString language_notice = speak_as_preferred(settings);
 
   WindowOptions window_options;
   window_options.presenter = presenter_kind(options.presenter);
@@ -157,6 +161,7 @@ int run_workbench(const WorkbenchOptions& options) {
   } else if (!window.offers_recovery()) {
     window.show_start_page();
   }
+  if (!language_notice.isEmpty()) window.show_notice(language_notice);
   if (!options.screenshot.empty()) take_screenshot(window, QString::fromStdString(options.screenshot));
   window.show();
   return QApplication::exec();

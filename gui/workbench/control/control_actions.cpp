@@ -8,6 +8,7 @@
 #include "engine/scenario/check_scenario.h"
 #include "gui/workbench/control/control_panel.h"
 #include "gui/workbench/control/disturbance_form.h"
+#include "gui/workbench/panels/engine_words.h"
 
 namespace netpocket {
 namespace {
@@ -67,7 +68,7 @@ void ControlActions::compare() {
   if (name.endsWith(suffix)) name.chop(suffix.size());
   without.name = tr("%1, without loop").arg(name).toStdString();
   if (const Diagnostics problems = check_scenario(without); !problems.ok()) {
-    emit problem(QString::fromStdString(problems.text()));
+    emit problem(diagnostics_words(problems));
     return;
   }
   session_.runs().rename(id, name + suffix);

@@ -17,6 +17,7 @@
 #include "gui/workbench/control/load_bar.h"
 #include "gui/workbench/control/loop_values.h"
 #include "gui/workbench/editor/group_box.h"
+#include "gui/workbench/panels/engine_words.h"
 #include "gui/workbench/panels/tones.h"
 
 namespace netpocket {
@@ -142,10 +143,10 @@ void ControlPanel::rebuild() {
     const QSignalBlocker quiet(list_);
     list_->clear();
     for (const ControlLoopInfo& loop : loops_) {
-      auto* item = new QTreeWidgetItem(list_, {text_of(loop.name)});
-      item->setToolTip(
-          kLoop,
-          tr("%1: controls the %2 of the %3").arg(text_of(loop.name), text_of(loop.quantity), text_of(loop.acts_on)));
+      auto* item = new QTreeWidgetItem(list_, {engine_words(loop.name)});
+      item->setToolTip(kLoop,
+                       tr("%1: controls the %2 of the %3")
+                           .arg(engine_words(loop.name), engine_words(loop.quantity), engine_words(loop.acts_on)));
       item->setSizeHint(kLoop, QSize(0, fontMetrics().height() + kRowPadding));
       item->setTextAlignment(kError, Qt::AlignRight | Qt::AlignVCenter);
       list_->setItemWidget(item, kLoad, new LoadBar);

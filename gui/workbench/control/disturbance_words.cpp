@@ -7,7 +7,9 @@
 namespace netpocket {
 namespace {
 
-QString words(const char* text) { return QCoreApplication::translate("netpocket::DisturbanceWords", text); }
+struct DisturbanceWords {
+  Q_DECLARE_TR_FUNCTIONS(DisturbanceWords)
+};
 
 }  // namespace
 
@@ -16,9 +18,10 @@ QString disturbance_words(const DisturbanceParameters& disturbance) {
   const Eigen::Vector3d& vector = torque ? disturbance.torque : disturbance.force;
   Eigen::Index axis = 0;
   vector.cwiseAbs().maxCoeff(&axis);
-  const QString body = disturbance.body == DisturbedBody::spacecraft ? words("the spacecraft") : words("the target");
-  const QString along = torque ? words("about") : words("along");
-  return words("%1 %2 %3 %4 on %5 for %6 s")
+  const QString body = disturbance.body == DisturbedBody::spacecraft ? DisturbanceWords::tr("the spacecraft")
+                                                                     : DisturbanceWords::tr("the target");
+  const QString along = torque ? DisturbanceWords::tr("about") : DisturbanceWords::tr("along");
+  return DisturbanceWords::tr("%1 %2 %3 %4 on %5 for %6 s")
       .arg(number_words(vector[axis]), torque ? QStringLiteral("N\u202fm") : QStringLiteral("N"), along,
            QString("xyz"[axis]), body, number_words(disturbance.duration));
 }

@@ -6,6 +6,7 @@
 #include "gui/workbench/editor/parameter_field.h"
 #include "gui/workbench/editor/parameter_row.h"
 #include "gui/workbench/editor/parameter_words.h"
+#include "gui/workbench/panels/engine_words.h"
 
 namespace netpocket {
 namespace {
@@ -78,9 +79,9 @@ void GainForm::show_problems() {
     QStringList problems;
     for (const Diagnostic& diagnostic : document_.diagnostics().list()) {
       if (diagnostic.key != row->parameter().key || diagnostic.message.empty()) continue;
-      QString message = QString::fromStdString(diagnostic.message);
+      QString message = engine_words(diagnostic.message);
       message[0] = message[0].toUpper();
-      problems << message + ".";
+      problems << tr("%1.").arg(message);
     }
     row->set_problem(problems.join('\n'));
   }

@@ -9,7 +9,9 @@
 namespace netpocket {
 namespace {
 
-QString tr(const char* words) { return QCoreApplication::translate("netpocket::LoopReading", words); }
+struct LoopWords {
+  Q_DECLARE_TR_FUNCTIONS(LoopReading)
+};
 
 std::vector<double> values_of(const std::vector<std::string>& names, const ChannelList& channels,
                               const std::vector<double>& values) {
@@ -69,17 +71,17 @@ LoopReading read_loop(const ControlLoopInfo& loop, const ChannelList& channels, 
 QString state_words(LoopState state) {
   switch (state) {
     case LoopState::waiting:
-      return tr("waiting");
+      return LoopWords::tr("waiting");
     case LoopState::active:
-      return tr("active");
+      return LoopWords::tr("active");
     case LoopState::over:
-      return tr("over");
+      return LoopWords::tr("over");
     case LoopState::off:
-      return tr("off");
+      return LoopWords::tr("off");
     case LoopState::jammed:
       break;
   }
-  return tr("jammed");
+  return LoopWords::tr("jammed");
 }
 
 QString short_number(double value, double largest) {

@@ -12,6 +12,7 @@
 #include "engine/scenario/read_scenario.h"
 #include "gui/workbench/editor/difference_table.h"
 #include "gui/workbench/editor/presets.h"
+#include "gui/workbench/panels/engine_words.h"
 
 namespace netpocket {
 
@@ -81,7 +82,7 @@ void DifferencesDialog::compare_with(const QString& preset) {
 void DifferencesDialog::compare_with_file(const QString& path) {
   ScenarioResult result = read_scenario_file(path.toStdString());
   if (!result.ok()) {
-    summary_->setText(QString::fromStdString(result.diagnostics.text()));
+    summary_->setText(diagnostics_words(result.diagnostics));
     return;
   }
   other_ = std::move(result.scenario);

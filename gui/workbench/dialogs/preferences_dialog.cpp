@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QSpinBox>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace netpocket {
 namespace {
@@ -19,6 +20,14 @@ QLabel* make_note(const QString& text) {
   return note;
 }
 
+// Languages are called what they call themselves, so that everybody finds the own one.
+QComboBox* make_languages(const QString& system) {
+  auto* choice = new QComboBox;
+  choice->addItem(system, kSystemLanguage);
+  for (const Language& language : languages()) choice->addItem(language.name, language.code);
+  return choice;
+}
+
 }  // namespace
 
 PreferencesDialog::PreferencesDialog(const Preferences& preferences, std::size_t used_bytes, QWidget* parent)
@@ -26,7 +35,8 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, std::size_t
       cache_(new QSpinBox),
       threads_(new QSpinBox),
       presenter_(new QComboBox),
-      ask_(new QCheckBox(tr("Ask before unsaved runs are lost"))) {
+      ask_(new QCheckBox(tr("Ask before unsaved runs are lost"))),
+      language_(make_languages(tr("As the system"))) {
   setWindowTitle(tr("Preferences"));
   cache_->setRange(Preferences::kSmallestCache, Preferences::kLargestCache);
   cache_->setSingleStep(128);
@@ -46,6 +56,8 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, std::size_t
                             "pockets of the usual size.")));
   form->addRow(tr("&Drawing:"), presenter_);
   form->addRow(QString(), make_note(tr("From the next start on.")));
+  form->addRow(tr("&Language:"), language_);
+  form->addRow(QString(), make_note(tr("Of the window, from the next start on. Commands and files stay English.")));
   form->addRow(QString(), ask_);
   auto* buttons =
       new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel | QDialogButtonBox::RestoreDefaults);
@@ -65,11 +77,12 @@ void PreferencesDialog::fill(const Preferences& preferences) {
   threads_->setValue(preferences.threads);
   presenter_->setCurrentIndex(static_cast<int>(preferences.presenter));
   ask_->setChecked(preferences.ask_about_runs);
+  language_->setCurrentIndex(std::max(0, language_->findData(preferences.language)));
 }
 
 Preferences PreferencesDialog::preferences() const {
-  return {cache_->value(), threads_->value(), static_cast<PresenterKind>(presenter_->currentIndex()),
-          ask_->isChecked()};
+  return {cache_->value(), threads_->value(), static_cast<PresenterKind>(presenter_->currentIndex()), ask_->isChecked(),
+          language_->currentData().toString()};
 }
 
 }  // namespace netpocket

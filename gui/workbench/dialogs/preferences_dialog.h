@@ -26,6 +26,7 @@ class PreferencesDialog : public QDialog {
   QSpinBox* threads_;
   QComboBox* presenter_;
   QCheckBox* ask_;
+  QComboBox* language_;
 };
 
 }  // namespace netpocket

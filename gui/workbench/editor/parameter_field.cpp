@@ -6,6 +6,7 @@
 #include "gui/workbench/editor/pairs_field.h"
 #include "gui/workbench/editor/switch_field.h"
 #include "gui/workbench/editor/text_field.h"
+#include "gui/workbench/panels/engine_words.h"
 
 namespace netpocket {
 
@@ -31,9 +32,9 @@ ParameterField* ParameterField::create(const Parameter& parameter, QWidget* pare
 
 void ParameterField::offer(const ParameterValue& value, Step step) {
   if (const auto problem = limit_problem(parameter_, value)) {
-    QString reason = QString::fromStdString(*problem);
+    QString reason = engine_words(*problem);
     reason[0] = reason[0].toUpper();
-    emit refused(reason + ".");
+    emit refused(tr("%1.").arg(reason));
     return;
   }
   emit refused({});

@@ -11,6 +11,7 @@
 #include "gui/workbench/editor/parameter_field.h"
 #include "gui/workbench/editor/parameter_row.h"
 #include "gui/workbench/editor/parameter_words.h"
+#include "gui/workbench/panels/engine_words.h"
 
 namespace netpocket {
 namespace {
@@ -62,7 +63,7 @@ void ParameterForm::build() {
   layout->setContentsMargins(0, 0, 0, 8);
   layout->setSpacing(0);
   for (const ParameterGroup& group : parameter_groups(system_)) {
-    auto* box = new GroupBox(title(group), from_utf8(group.help), content);
+    auto* box = new GroupBox(title(group), help(group), content);
     Section section{box, {}};
     // In front of its parameters, so that it stays in sight while they are edited.
     if (group.name == "closing") {
@@ -125,9 +126,9 @@ void ParameterForm::show_problems() {
     const auto* group = find_parameter_group(diagnostic.key, system_);
     const auto key = group && !group->name.empty() ? from_utf8(parameters_of(*group, system_).front().key)
                                                    : QString::fromStdString(diagnostic.key);
-    QString message = QString::fromStdString(diagnostic.message);
+    QString message = engine_words(diagnostic.message);
     if (!message.isEmpty()) message[0] = message[0].toUpper();
-    problems[key] << message + ".";
+    problems[key] << tr("%1.").arg(message);
   }
   for (const auto& [key, row] : rows_) row->set_problem(problems.contains(key) ? problems[key].join('\n') : QString());
   show_counts();

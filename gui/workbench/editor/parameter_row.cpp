@@ -64,9 +64,13 @@ ParameterRow::ParameterRow(const Parameter& parameter, QWidget* parent, std::str
 
   lay_out();
 
-  QStringList searched = {label(parameter),           from_utf8(parameter.key),
-                          from_utf8(parameter.help),  from_utf8(parameter.source),
-                          unit_words(parameter.unit), table_title(parameter, system)};
+  QStringList searched = {label(parameter),
+                          from_utf8(parameter.key),
+                          from_utf8(parameter.help),
+                          from_utf8(parameter.source),
+                          unit_words(parameter.unit),
+                          table_title(parameter, system),
+                          help(parameter)};
   for (const std::string_view choice : parameter.choices) searched << from_utf8(choice);
   search_text_ = searched.join('\n').toLower();
 

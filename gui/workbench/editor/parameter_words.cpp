@@ -8,6 +8,7 @@
 
 #include "engine/scenario/parameter_text.h"
 #include "engine/scenario/strategy.h"
+#include "gui/workbench/panels/engine_words.h"
 
 namespace netpocket {
 namespace {
@@ -16,7 +17,9 @@ QString translated(const QString& words) {
   return QCoreApplication::translate("parameters", words.toUtf8().constData());
 }
 
-QString tr(const char* words) { return QCoreApplication::translate("netpocket::ParameterWords", words); }
+struct ParameterWords {
+  Q_DECLARE_TR_FUNCTIONS(ParameterWords)
+};
 
 QString list_words(const Eigen::Vector3d& v) {
   return QString("(%1, %2, %3)").arg(number_words(v.x()), number_words(v.y()), number_words(v.z()));
@@ -29,28 +32,31 @@ QString why_target_unused(std::string_view name, const TargetParameters& target)
   const auto unused_but_for = [&](std::initializer_list<TargetShape> users, const QString& reason) {
     return unused_unless(std::find(users.begin(), users.end(), target.shape) != users.end(), reason);
   };
-  if (name == "radius") return unused_but_for({sphere, cylinder}, tr("Used for spheres and cylinders."));
-  if (name == "size") return unused_but_for({box, satellite}, tr("Used for boxes and satellites."));
-  if (name == "length") return unused_but_for({cylinder}, tr("Used for cylinders."));
+  if (name == "radius")
+    return unused_but_for({sphere, cylinder}, ParameterWords::tr("Used for spheres and cylinders."));
+  if (name == "size") return unused_but_for({box, satellite}, ParameterWords::tr("Used for boxes and satellites."));
+  if (name == "length") return unused_but_for({cylinder}, ParameterWords::tr("Used for cylinders."));
   if (name == "span" || name == "panel_width" || name == "dish_diameter")
-    return unused_but_for({satellite}, tr("Used for satellites."));
-  if (name == "mesh_file" || name == "mesh_unit") return unused_but_for({mesh}, tr("Used for meshes."));
+    return unused_but_for({satellite}, ParameterWords::tr("Used for satellites."));
+  if (name == "mesh_file" || name == "mesh_unit") return unused_but_for({mesh}, ParameterWords::tr("Used for meshes."));
   if (name == "inertia")
     return unused_unless(target.inertia_from == InertiaSource::given,
-                         tr("Used when inertia is given, not the shape's."));
+                         ParameterWords::tr("Used when inertia is given, not the shape's."));
   return {};
 }
 
 QString why_closing_unused(std::string_view name, const ClosingParameters& closing) {
   const bool table = closing.law == ClosingLaw::table;
-  if (name == "table") return unused_unless(table, tr("Used by the law “table”."));
-  if (name == "duration" || name == "closed_length") return unused_unless(!table, tr("Not used by the law “table”."));
+  if (name == "table") return unused_unless(table, ParameterWords::tr("Used by the law “table”."));
+  if (name == "duration" || name == "closed_length")
+    return unused_unless(!table, ParameterWords::tr("Not used by the law “table”."));
   return {};
 }
 
 QString why_solver_unused(std::string_view name, const SolverParameters& solver) {
-  if (name == "safety") return unused_unless(solver.time_step == 0, tr("Used when the step is chosen, time step 0."));
-  if (name == "seed") return unused_unless(solver.perturbation > 0, tr("Used with a perturbation."));
+  if (name == "safety")
+    return unused_unless(solver.time_step == 0, ParameterWords::tr("Used when the step is chosen, time step 0."));
+  if (name == "seed") return unused_unless(solver.perturbation > 0, ParameterWords::tr("Used with a perturbation."));
   return {};
 }
 
@@ -70,22 +76,22 @@ QString why_controller_unused(std::string_view name, const ControllerParameters&
       used_by({"outer_switching", "outer_layer", "fastest"}, {attitude_double_loop}) &&
       used_by({"quantity", "wanted", "ramp", "proportional", "integral", "derivative", "most_tension"}, {tow}) &&
       used_by({"damping", "most_torque"}, {spin_damping});
-  if (!used) return tr("Not used by this kind of controller.");
+  if (!used) return ParameterWords::tr("Not used by this kind of controller.");
   const bool speed = controller.quantity == TowQuantity::speed;
-  return unused_unless(name != "derivative" || !speed, tr("Used for the separation."));
+  return unused_unless(name != "derivative" || !speed, ParameterWords::tr("Used for the separation."));
 }
 
 QString why_winch_unused(std::string_view name, WinchDrive drive) {
   using enum WinchDrive;
   if (name == "drive") return {};
-  if (drive == prescribed) return tr("Not used by the drive “prescribed”.");
+  if (drive == prescribed) return ParameterWords::tr("Not used by the drive “prescribed”.");
   const auto used_by = [&](std::initializer_list<std::string_view> names, std::initializer_list<WinchDrive> drives) {
     return std::ranges::find(names, name) == names.end() || std::ranges::find(drives, drive) != drives.end();
   };
   const bool used = used_by({"rate"}, {rate}) && used_by({"torque"}, {torque}) && used_by({"length_gain"}, {length}) &&
                     used_by({"tension", "tension_gain", "tension_derivative", "take_up_rate"}, {tension}) &&
                     used_by({"fastest", "rate_gain", "rate_integral"}, {length, rate, tension});
-  return unused_unless(used, tr("Not used by this drive."));
+  return unused_unless(used, ParameterWords::tr("Not used by this drive."));
 }
 
 // The unit that a controller's kind chooses from "rad/s, m/s" or from "m/s or m by quantity".
@@ -112,8 +118,13 @@ QString label(const Parameter& parameter) {
 }
 
 QString title(const ParameterGroup& group) { return translated(from_utf8(group.title)); }
+QString title(const ParameterList& list) { return translated(from_utf8(list.title)); }
+QString help(const ParameterGroup& group) { return translated(from_utf8(group.help)); }
+QString help(const Parameter& parameter) { return translated(from_utf8(parameter.help)); }
 
-QString full_label(const Parameter& parameter) { return table_title(parameter) + ": " + label(parameter).toLower(); }
+QString full_label(const Parameter& parameter) {
+  return ParameterWords::tr("%1: %2").arg(table_title(parameter), label(parameter).toLower());
+}
 
 const ParameterList* list_of(const Parameter& parameter, std::string_view system) {
   for (const ParameterList& list : parameter_lists(system)) {
@@ -127,7 +138,7 @@ const ParameterList* list_of(const Parameter& parameter, std::string_view system
 
 QString table_title(const Parameter& parameter, std::string_view system) {
   const ParameterList* list = list_of(parameter, system);
-  if (list != nullptr) return translated(from_utf8(list->title)) + " " + QString::number(parameter.item + 1);
+  if (list != nullptr) return title(*list) + " " + QString::number(parameter.item + 1);
   const ParameterGroup* group = find_parameter_group(parameter.group(), system);
   return group != nullptr ? title(*group) : QString();
 }
@@ -169,8 +180,7 @@ QString value_words(const Parameter& parameter, const ParameterValue& value) {
   } else if (const auto* vector = std::get_if<Eigen::Vector3d>(&value)) {
     words = list_words(*vector);
   } else if (const auto* pairs = std::get_if<std::vector<Eigen::Vector2d>>(&value)) {
-    return QCoreApplication::translate("netpocket::ParameterWords", "%n points", nullptr,
-                                       static_cast<int>(pairs->size()));
+    return ParameterWords::tr("%n points", nullptr, static_cast<int>(pairs->size()));
   } else if (const auto* string = std::get_if<std::string>(&value)) {
     words = "“" + QString::fromStdString(*string).left(30) + "”";
   } else if (const auto* choice = std::get_if<Choice>(&value)) {
@@ -183,15 +193,15 @@ QString value_words(const Parameter& parameter, const ParameterValue& value) {
 }
 
 QString tool_tip(const Parameter& parameter) {
-  const QString allowed = QString::fromStdString(allowed_text(parameter)).toHtmlEscaped();
-  QString help = translated(from_utf8(parameter.help)).toHtmlEscaped();
-  help[0] = help[0].toUpper();
+  const QString allowed = engine_words(allowed_text(parameter)).toHtmlEscaped();
+  QString words = help(parameter).toHtmlEscaped();
+  words[0] = words[0].toUpper();
   QStringList facts;
-  if (!allowed.isEmpty()) facts << tr("Allowed: %1").arg(allowed);
-  if (!parameter.unit.empty()) facts << tr("Unit: %1").arg(unit_words(parameter.unit));
-  facts << tr("Source: %1").arg(from_utf8(parameter.source).toHtmlEscaped());
-  facts << tr("Key: %1").arg("<code>" + from_utf8(parameter.key) + "</code>");
-  return "<p>" + help + "</p><p>" + facts.join("<br>") + "</p>";
+  if (!allowed.isEmpty()) facts << ParameterWords::tr("Allowed: %1").arg(allowed);
+  if (!parameter.unit.empty()) facts << ParameterWords::tr("Unit: %1").arg(unit_words(parameter.unit));
+  facts << ParameterWords::tr("Source: %1").arg(translated(from_utf8(parameter.source)).toHtmlEscaped());
+  facts << ParameterWords::tr("Key: %1").arg("<code>" + from_utf8(parameter.key) + "</code>");
+  return "<p>" + words + "</p><p>" + facts.join("<br>") + "</p>";
 }
 
 std::optional<QString> why_unused(const Parameter& parameter, const Scenario& scenario) {
@@ -204,10 +214,10 @@ std::optional<QString> why_unused(const Parameter& parameter, const Scenario& sc
     reason = why_controller_unused(parameter.name(), scenario.controllers[parameter.item]);
   }
   if (parameter.group() == "towing" && parameter.name() != "mode" && scenario.towing.mode == TowingMode::none) {
-    reason = tr("Used when the mode is not “none”.");
+    reason = ParameterWords::tr("Used when the mode is not “none”.");
   }
   if (parameter.key == "contact.friction_velocity" && scenario.contact.friction == 0)
-    reason = tr("Used with friction.");
+    reason = ParameterWords::tr("Used with friction.");
   if (reason.isEmpty()) return std::nullopt;
   return reason;
 }

@@ -16,6 +16,10 @@ QString label(const Parameter& parameter);
 // "Net cords: Young's modulus"
 QString full_label(const Parameter& parameter);
 QString title(const ParameterGroup& group);
+QString title(const ParameterList& list);
+// One sentence, or a part of one.
+QString help(const ParameterGroup& group);
+QString help(const Parameter& parameter);
 // Of the table that a parameter belongs to; of an item of a list with its number: "Controllers 1".
 QString table_title(const Parameter& parameter, std::string_view system = kPocketSystem);
 // The list of a parameter that belongs to an item; else null.

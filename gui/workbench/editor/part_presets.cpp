@@ -11,7 +11,9 @@
 namespace netpocket {
 namespace {
 
-QString words(const char* text) { return QCoreApplication::translate("netpocket::PartPresets", text); }
+struct PartWords {
+  Q_DECLARE_TR_FUNCTIONS(PartPresets)
+};
 
 std::vector<std::string_view> groups_of(ScenarioPart part) {
   switch (part) {
@@ -31,7 +33,7 @@ QString value_of(std::string_view key, const Scenario& scenario) {
 }
 
 QString pocket_summary(const Scenario& scenario) {
-  return words("%1 rods, meshes %2 × %3, tip at %4 m")
+  return PartWords::tr("%1 rods, meshes %2 × %3, tip at %4 m")
       .arg(value_of("pocket.rod_count", scenario), value_of("pocket.mesh_columns", scenario),
            value_of("pocket.mesh_rows", scenario), number_words(scenario.rods.profile.back().y()));
 }
@@ -47,7 +49,7 @@ QString target_summary(const Scenario& scenario) {
 }
 
 QString strategy_summary(const Scenario& scenario) {
-  return words("closing: %1, %2; towing: %3 from %4")
+  return PartWords::tr("closing: %1, %2; towing: %3 from %4")
       .arg(value_of("closing.law", scenario), value_of("closing.duration", scenario), value_of("towing.mode", scenario),
            value_of("towing.start", scenario));
 }

@@ -1,5 +1,6 @@
 #include "gui/workbench/editor/presets.h"
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 
@@ -23,6 +24,10 @@ std::vector<Preset> read_presets() {
 }
 
 }  // namespace
+
+QString sentence_of(const Preset& preset) {
+  return QCoreApplication::translate("scenarios", preset.description.toUtf8().constData());
+}
 
 const std::vector<Preset>& presets() {
   static const std::vector<Preset> all = read_presets();

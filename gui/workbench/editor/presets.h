@@ -12,6 +12,9 @@ struct Preset {
   QString text;         // TOML
 };
 
+// In the language of the window.
+QString sentence_of(const Preset& preset);
+
 // In the order of their names.
 const std::vector<Preset>& presets();
 

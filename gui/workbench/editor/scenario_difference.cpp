@@ -19,7 +19,8 @@ QString plain_words(const Parameter& parameter, const ParameterValue& value) {
 
 QString name_of(const Parameter& parameter, const Scenario& scenario) {
   const QString table = table_title(parameter, scenario.system);
-  return table.isEmpty() ? label(parameter) : table + ": " + label(parameter);
+  if (table.isEmpty()) return label(parameter);
+  return QCoreApplication::translate("ScenarioDifference", "%1: %2").arg(table, label(parameter));
 }
 
 }  // namespace
@@ -28,7 +29,7 @@ std::vector<ScenarioDifference> differences(const Scenario& here, const Scenario
   if (here.system != there.system) {
     return {{nullptr,
              "system",
-             QCoreApplication::translate("netpocket::ScenarioDifference", "Capture system"),
+             QCoreApplication::translate("ScenarioDifference", "Capture system"),
              QString::fromStdString(here.system),
              QString::fromStdString(there.system),
              {}}};
@@ -45,7 +46,7 @@ std::vector<ScenarioDifference> differences(const Scenario& here, const Scenario
     if (list.size(here) == list.size(there)) continue;
     rows.push_back({nullptr,
                     from_utf8(list.name),
-                    from_utf8(list.title),
+                    title(list),
                     QString::number(list.size(here)),
                     QString::number(list.size(there)),
                     {}});

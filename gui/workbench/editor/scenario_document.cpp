@@ -12,6 +12,7 @@
 #include "gui/workbench/editor/edit_command.h"
 #include "gui/workbench/editor/parameter_words.h"
 #include "gui/workbench/editor/toml_edit.h"
+#include "gui/workbench/panels/engine_words.h"
 
 namespace netpocket {
 namespace {
@@ -51,7 +52,7 @@ std::optional<QString> ScenarioDocument::set_value(const Parameter& parameter, c
 std::optional<QString> ScenarioDocument::set_values(const std::vector<Setting>& settings, const QString& text) {
   State next = *state_;
   for (const auto& [parameter, value] : settings) {
-    if (const auto problem = limit_problem(*parameter, value)) return QString::fromStdString(*problem);
+    if (const auto problem = limit_problem(*parameter, value)) return engine_words(*problem);
     parameter->set(next.scenario, value);
   }
   if (same_values(next.scenario, state_->scenario)) return std::nullopt;

@@ -16,6 +16,7 @@
 #include "gui/workbench/editor/parameter_form.h"
 #include "gui/workbench/editor/parameter_words.h"
 #include "gui/workbench/editor/text_page.h"
+#include "gui/workbench/panels/engine_words.h"
 
 namespace netpocket {
 
@@ -189,7 +190,7 @@ void ScenarioEditor::recover(bool wanted) {
   if (!wanted) {
     forget(*lost_work_);
   } else if (const Diagnostics problems = document_->recover(*lost_work_); !problems.ok()) {
-    recovery_bar_->show_text(tr("Cannot be recovered: %1").arg(QString::fromStdString(problems.text())));
+    recovery_bar_->show_text(tr("Cannot be recovered: %1").arg(diagnostics_words(problems)));
     return;
   }
   offer_recovery();

@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 
 #include "gui/workbench/editor/toml_edit_view.h"
+#include "gui/workbench/panels/engine_words.h"
 #include "gui/workbench/panels/tones.h"
 
 namespace netpocket {
@@ -65,8 +66,8 @@ void TextPage::set_problems(Diagnostics problems) {
   std::map<int, QString> lines;
   QStringList texts;
   for (const Diagnostic& diagnostic : problems_.list()) {
-    texts << QString::fromStdString(diagnostic.text());
-    if (diagnostic.line > 0) lines[diagnostic.line] = QString::fromStdString(diagnostic.message);
+    texts << diagnostic_words(diagnostic);
+    if (diagnostic.line > 0) lines[diagnostic.line] = engine_words(diagnostic.message);
   }
   view_->mark_lines(lines);
   colour_status();

@@ -26,16 +26,19 @@ struct KindEntry {
 };
 
 constexpr std::array kKinds = {
-    KindEntry{QT_TRANSLATE_NOOP("ExportDialog", "Pictures (PNG)"), "_frames", true, true},
-    KindEntry{QT_TRANSLATE_NOOP("ExportDialog", "Video (MP4)"), ".mp4", true, true},
-    KindEntry{QT_TRANSLATE_NOOP("ExportDialog", "Contact sheet (PNG)"), "_sheet.png", true, false},
-    KindEntry{QT_TRANSLATE_NOOP("ExportDialog", "This moment in three dimensions (glTF)"), ".glb", false, false},
-    KindEntry{QT_TRANSLATE_NOOP("ExportDialog", "Report (HTML)"), ".html", false, false},
-    KindEntry{QT_TRANSLATE_NOOP("ExportDialog", "Figures of the paper"), "_figures", false, false},
-    KindEntry{QT_TRANSLATE_NOOP("ExportDialog", "Channels (CSV)"), "_csv", false, false},
-    KindEntry{QT_TRANSLATE_NOOP("ExportDialog", "ParaView series"), "_paraview", false, false},
-    KindEntry{QT_TRANSLATE_NOOP("ExportDialog", "ParaView files with time steps (VTKHDF)"), "_vtkhdf", false, false},
-    KindEntry{QT_TRANSLATE_NOOP("ExportDialog", "The whole capture in three dimensions (glTF)"), ".glb", false, false},
+    KindEntry{QT_TRANSLATE_NOOP("netpocket::ExportDialog", "Pictures (PNG)"), "_frames", true, true},
+    KindEntry{QT_TRANSLATE_NOOP("netpocket::ExportDialog", "Video (MP4)"), ".mp4", true, true},
+    KindEntry{QT_TRANSLATE_NOOP("netpocket::ExportDialog", "Contact sheet (PNG)"), "_sheet.png", true, false},
+    KindEntry{QT_TRANSLATE_NOOP("netpocket::ExportDialog", "This moment in three dimensions (glTF)"), ".glb", false,
+              false},
+    KindEntry{QT_TRANSLATE_NOOP("netpocket::ExportDialog", "Report (HTML)"), ".html", false, false},
+    KindEntry{QT_TRANSLATE_NOOP("netpocket::ExportDialog", "Figures of the paper"), "_figures", false, false},
+    KindEntry{QT_TRANSLATE_NOOP("netpocket::ExportDialog", "Channels (CSV)"), "_csv", false, false},
+    KindEntry{QT_TRANSLATE_NOOP("netpocket::ExportDialog", "ParaView series"), "_paraview", false, false},
+    KindEntry{QT_TRANSLATE_NOOP("netpocket::ExportDialog", "ParaView files with time steps (VTKHDF)"), "_vtkhdf", false,
+              false},
+    KindEntry{QT_TRANSLATE_NOOP("netpocket::ExportDialog", "The whole capture in three dimensions (glTF)"), ".glb",
+              false, false},
 };
 
 QComboBox* make_choice(const std::initializer_list<std::pair<QString, QString>>& entries) {

@@ -15,6 +15,7 @@
 #include "engine/base/output_list.h"
 #include "engine/base/whole_file.h"
 #include "gui/workbench/panels/ask_for_file.h"
+#include "gui/workbench/panels/engine_words.h"
 #include "gui/workbench/panels/icons.h"
 
 namespace netpocket {
@@ -128,7 +129,7 @@ void FindingsPanel::show_capture() {
     headline = tr("Diverged");
     tone = Tone::bad;
   }
-  const QString detail = capture_detail_.isEmpty() ? QString() : ": " + capture_detail_.toHtmlEscaped();
+  const QString detail = capture_detail_.isEmpty() ? QString() : ": " + engine_words(capture_detail_).toHtmlEscaped();
   capture_->setText("<b>" + headline + "</b>" + detail);
   QPalette colours = palette();
   colours.setColor(QPalette::Window, ground_colour(tone, palette()));
@@ -164,12 +165,12 @@ void FindingsPanel::add_rows(const Finding& finding) {
 void FindingsPanel::add_case(int row, const Finding& finding, const FindingCase& finding_case) {
   const FindingMark mark = finding_mark(finding_case, running_);
   const bool open = running_ && mark == FindingMark::pending;
-  const QString word = open ? tr("not decided yet") : QString(to_string(finding_case.verdict));
+  const QString word = open ? tr("not decided yet") : engine_words(std::string_view(to_string(finding_case.verdict)));
   const QString rule =
-      tr("<p><b>%1: %2</b></p><p>Rule: %3</p>").arg(text(finding.id), word, text(finding.rule).toHtmlEscaped());
+      tr("<p><b>%1: %2</b></p><p>Rule: %3</p>").arg(text(finding.id), word, engine_words(finding.rule).toHtmlEscaped());
   const bool first = &finding_case == &finding.cases.front();
-  const QStringList texts = {QString(), first ? text(finding.id) + "  " + text(finding.text) : QString(),
-                             text(finding_case.name), with_magnitudes_whole(text(finding_case.value))};
+  const QStringList texts = {QString(), first ? text(finding.id) + "  " + engine_words(finding.text) : QString(),
+                             text(finding_case.name), with_magnitudes_whole(engine_words(finding_case.value))};
   // Every other finding stands on another ground.
   const bool odd = (&finding - findings_.data()) % 2 == 1;
   const QBrush ground = odd ? palette().alternateBase() : palette().base();

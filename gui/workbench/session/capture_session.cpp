@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "gui/workbench/panels/engine_words.h"
+
 namespace netpocket {
 
 CaptureSession::CaptureSession(const SessionOptions& options)
@@ -49,14 +51,13 @@ void CaptureSession::take(const StateChanged& report) {
                                   RunState::ended};
   runs_.set_state(report.run, kStates[static_cast<int>(report.state)], report.status, report.statistics);
   if (report.status.reason == RunReason::diverged)
-    emit run_diverged(
-        tr("The run has diverged and stands still: %1.").arg(QString::fromStdString(report.status.message)));
+    emit run_diverged(tr("The run has diverged and stands still: %1.").arg(engine_words(report.status.message)));
 }
 
 void CaptureSession::take(const StrategyChanged& report) {
   runs_.set_scenario(report.run, report.scenario);
   if (report.disturbed && !report.diagnostics.ok()) {
-    emit failed(tr("The run was not disturbed: %1.").arg(QString::fromStdString(report.diagnostics.text())));
+    emit failed(tr("The run was not disturbed: %1.").arg(diagnostics_words(report.diagnostics)));
   }
   if (report.disturbed) return;
   emit strategy_answered(report.run, report.diagnostics, report.time);
@@ -69,7 +70,7 @@ void CaptureSession::take(const WorkerFailed& report) {
     leave_live_run();
     finish_left_runs(kNoRun);
   }
-  emit failed(tr("The simulation ended: %1.").arg(QString::fromStdString(report.message)));
+  emit failed(tr("The simulation ended: %1.").arg(engine_words(report.message)));
 }
 
 // Its last frames may still be under way.

@@ -5,11 +5,14 @@
 #include <cmath>
 
 #include "gui/workbench/control/disturbance_words.h"
+#include "gui/workbench/panels/engine_words.h"
 
 namespace netpocket {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("TimeMark", text); }
+struct MarkWords {
+  Q_DECLARE_TR_FUNCTIONS(TimeMark)
+};
 
 std::optional<double> first_contact(const RunSeries& series) {
   const auto& contacts = series.channel(Channel::contact_count);
@@ -55,7 +58,7 @@ bool Run::can_go_on() const {
 namespace {
 
 QString capitalised(const std::string& name) {
-  QString text = QString::fromStdString(name);
+  QString text = engine_words(name);
   if (!text.isEmpty()) text[0] = text[0].toUpper();
   return text;
 }
@@ -65,18 +68,21 @@ QString capitalised(const std::string& name) {
 std::vector<TimeMark> time_marks(const Run& run) {
   using Kind = TimeMark::Kind;
   std::vector<TimeMark> marks = run.notes;
-  if (const auto time = first_contact(run.series)) marks.push_back({Kind::first_contact, *time, tr("First contact")});
+  if (const auto time = first_contact(run.series))
+    marks.push_back({Kind::first_contact, *time, MarkWords::tr("First contact")});
   if (const Peak peak = peak_force(run.series); peak.force > 0) {
-    marks.push_back({Kind::peak_force, peak.time, tr("Peak contact force, %1 N").arg(peak.force, 0, 'g', 3)});
+    marks.push_back(
+        {Kind::peak_force, peak.time, MarkWords::tr("Peak contact force, %1 N").arg(peak.force, 0, 'g', 3)});
   }
   for (const DisturbanceParameters& disturbance : run.scenario.disturbances) {
-    marks.push_back({Kind::disturbance, disturbance.start, tr("Disturbance: %1").arg(disturbance_words(disturbance))});
+    marks.push_back(
+        {Kind::disturbance, disturbance.start, MarkWords::tr("Disturbance: %1").arg(disturbance_words(disturbance))});
   }
   for (const Phase& phase : run.series.phases) {
     if (phase.at_rest) continue;
     const QString name = capitalised(phase.name);
-    if (phase.begin > 0) marks.push_back({Kind::phase_start, phase.begin, tr("%1 starts").arg(name)});
-    if (std::isfinite(phase.end)) marks.push_back({Kind::phase_end, phase.end, tr("%1 ends").arg(name)});
+    if (phase.begin > 0) marks.push_back({Kind::phase_start, phase.begin, MarkWords::tr("%1 starts").arg(name)});
+    if (std::isfinite(phase.end)) marks.push_back({Kind::phase_end, phase.end, MarkWords::tr("%1 ends").arg(name)});
   }
   std::ranges::stable_sort(marks, {}, &TimeMark::time);
   return marks;

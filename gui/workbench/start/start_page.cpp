@@ -149,9 +149,10 @@ QWidget* StartPage::make_scenarios() {
 void StartPage::fill_scenarios() {
   for (const Preset& preset : presets()) {
     auto* item = new QListWidgetItem(preset.name, scenarios_);
-    item->setData(CardDelegate::kSentenceRole, preset.description);
-    item->setData(Qt::AccessibleDescriptionRole, preset.description);
-    item->setToolTip("<p>" + preset.description.toHtmlEscaped() + "</p>");
+    const QString sentence = sentence_of(preset);
+    item->setData(CardDelegate::kSentenceRole, sentence);
+    item->setData(Qt::AccessibleDescriptionRole, sentence);
+    item->setToolTip("<p>" + sentence.toHtmlEscaped() + "</p>");
   }
   scenarios_->setCurrentRow(0);
 }

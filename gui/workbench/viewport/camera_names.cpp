@@ -5,40 +5,42 @@
 namespace netpocket {
 namespace {
 
-QString camera_words(const char* text) { return QCoreApplication::translate("CameraNames", text); }
+struct CameraWords {
+  Q_DECLARE_TR_FUNCTIONS(CameraNames)
+};
 
 }  // namespace
 
 QString camera_name(CameraPreset preset) {
   switch (preset) {
     case CameraPreset::iso:
-      return camera_words("Oblique");
+      return CameraWords::tr("Oblique");
     case CameraPreset::side:
-      return camera_words("Side");
+      return CameraWords::tr("Side");
     case CameraPreset::front:
-      return camera_words("Front");
+      return CameraWords::tr("Front");
     case CameraPreset::mouth:
-      return camera_words("Mouth");
+      return CameraWords::tr("Mouth");
     case CameraPreset::follow:
       break;
   }
-  return camera_words("Follow");
+  return CameraWords::tr("Follow");
 }
 
 QString camera_help(CameraPreset preset) {
   switch (preset) {
     case CameraPreset::iso:
-      return camera_words("From the side and a little ahead");
+      return CameraWords::tr("From the side and a little ahead");
     case CameraPreset::side:
-      return camera_words("Square to the pocket's axis, without perspective");
+      return CameraWords::tr("Square to the pocket's axis, without perspective");
     case CameraPreset::front:
-      return camera_words("Along the axis into the mouth, without perspective");
+      return CameraWords::tr("Along the axis into the mouth, without perspective");
     case CameraPreset::mouth:
-      return camera_words("Obliquely into the mouth");
+      return CameraWords::tr("Obliquely into the mouth");
     case CameraPreset::follow:
       break;
   }
-  return camera_words("Oblique, moving with the target");
+  return CameraWords::tr("Oblique, moving with the target");
 }
 
 }  // namespace netpocket

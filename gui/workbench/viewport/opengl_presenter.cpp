@@ -65,7 +65,7 @@ void OpenGlPresenter::initializeGL() {
   const auto text = [this](GLenum name) {
     return QString::fromLatin1(reinterpret_cast<const char*>(context()->functions()->glGetString(name)));
   };
-  description_ = tr("OpenGL %1, %2").arg(text(GL_VERSION), text(GL_RENDERER));
+  description_ = QString("OpenGL %1, %2").arg(text(GL_VERSION), text(GL_RENDERER));
 }
 
 void OpenGlPresenter::paintGL() {

@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/workbench/panels/engine_words.h"
 #include "render/scene/element_curve.h"
 
 namespace netpocket {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("PickDescription", text); }
+struct PickWords {
+  Q_DECLARE_TR_FUNCTIONS(PickDescription)
+};
 
 QString quantity(double value, const char* unit) {
   // A value that is only rounding is shown as the zero it is.
@@ -34,15 +37,15 @@ PickDescription describe_element(const Pick& pick, const Structure& structure, c
   const Eigen::Vector3d velocity =
       (1 - f) * snapshot.velocities.col(element.node[0]) + f * snapshot.velocities.col(element.node[1]);
   PickDescription text{
-      QString::fromStdString(structure.threads[static_cast<std::size_t>(element.thread)]),
-      tr("Element of %1, no. %2").arg(QString::fromStdString(structure.group_of(element).member)).arg(pick.index),
+      engine_words(structure.threads[static_cast<std::size_t>(element.thread)]),
+      PickWords::tr("Element of %1, no. %2").arg(engine_words(structure.group_of(element).member)).arg(pick.index),
       {}};
-  text.rows = {{tr("Tension"), quantity(snapshot.tension[pick.index], "N")},
-               {tr("Strain"), quantity(snapshot.strain[pick.index], "")},
-               {tr("Length"), quantity(current_length(snapshot, element), "m")},
-               {tr("Position"), vector(*position_of(pick, structure, snapshot), "m")},
-               {tr("Velocity"), vector(velocity, "m/s")},
-               {tr("Speed"), quantity(velocity.norm(), "m/s")}};
+  text.rows = {{PickWords::tr("Tension"), quantity(snapshot.tension[pick.index], "N")},
+               {PickWords::tr("Strain"), quantity(snapshot.strain[pick.index], "")},
+               {PickWords::tr("Length"), quantity(current_length(snapshot, element), "m")},
+               {PickWords::tr("Position"), vector(*position_of(pick, structure, snapshot), "m")},
+               {PickWords::tr("Velocity"), vector(velocity, "m/s")},
+               {PickWords::tr("Speed"), quantity(velocity.norm(), "m/s")}};
   return text;
 }
 
@@ -50,7 +53,7 @@ QString threads_through(std::int32_t node, const Structure& structure) {
   QStringList names;
   for (const auto& element : structure.elements) {
     if (element.node[0] != node && element.node[1] != node) continue;
-    const QString name = QString::fromStdString(structure.threads[static_cast<std::size_t>(element.thread)]);
+    const QString name = engine_words(structure.threads[static_cast<std::size_t>(element.thread)]);
     if (!names.contains(name)) names << name;
   }
   constexpr qsizetype kMostNames = 3;
@@ -66,12 +69,12 @@ PickDescription describe_node(const Pick& pick, const Structure& structure, cons
     tension = std::max(tension, snapshot.tension[static_cast<Eigen::Index>(i)]);
   }
   const Eigen::Vector3d velocity = snapshot.velocities.col(pick.index);
-  return {tr("Node %1").arg(pick.index),
+  return {PickWords::tr("Node %1").arg(pick.index),
           threads_through(pick.index, structure),
-          {{tr("Largest tension"), quantity(tension, "N")},
-           {tr("Position"), vector(snapshot.positions.col(pick.index), "m")},
-           {tr("Velocity"), vector(velocity, "m/s")},
-           {tr("Speed"), quantity(velocity.norm(), "m/s")}}};
+          {{PickWords::tr("Largest tension"), quantity(tension, "N")},
+           {PickWords::tr("Position"), vector(snapshot.positions.col(pick.index), "m")},
+           {PickWords::tr("Velocity"), vector(velocity, "m/s")},
+           {PickWords::tr("Speed"), quantity(velocity.norm(), "m/s")}}};
 }
 
 PickDescription describe_body(const Pick& pick, const Structure& structure, const Snapshot& snapshot) {
@@ -84,13 +87,13 @@ PickDescription describe_body(const Pick& pick, const Structure& structure, cons
     ++contacts;
     force += contact.force;
   }
-  return {QString::fromStdString(body.name),
-          tr("Rigid body, %1").arg(quantity(body.mass, "kg")),
-          {{tr("Centre of mass"), vector(state.position, "m")},
-           {tr("Velocity"), vector(state.velocity, "m/s")},
-           {tr("Spin"), vector(state.angular_velocity, "rad/s")},
-           {tr("Contacts"), QString::number(contacts)},
-           {tr("Contact force"), vector(force, "N")}}};
+  return {engine_words(body.name),
+          PickWords::tr("Rigid body, %1").arg(quantity(body.mass, "kg")),
+          {{PickWords::tr("Centre of mass"), vector(state.position, "m")},
+           {PickWords::tr("Velocity"), vector(state.velocity, "m/s")},
+           {PickWords::tr("Spin"), vector(state.angular_velocity, "rad/s")},
+           {PickWords::tr("Contacts"), QString::number(contacts)},
+           {PickWords::tr("Contact force"), vector(force, "N")}}};
 }
 
 }  // namespace
