@@ -97,7 +97,7 @@ QString speak_as_preferred(QSettings& settings) {
     settings.setValue(kToldKey, code);
     return LanguageWords::tr(
                "No installed font has the letters of the language %1, so the window speaks English; on "
-               "Debian the packages fonts-noto-cjk and fonts-wqy-microhei have Chinese ones.")
+               "Debian the packages fonts-wqy-microhei and fonts-noto-cjk have Chinese ones.")
         .arg(code);
   }
   speak(code);

@@ -67,9 +67,10 @@ void PartDialog::fill() {
   list_->clear();
   for (const PartPreset& preset : part_presets(part())) {
     auto* item = new QListWidgetItem(preset.name, list_);
-    item->setData(CardDelegate::kSentenceRole, preset.summary);
-    item->setData(Qt::AccessibleDescriptionRole, preset.summary);
-    item->setToolTip(preset.summary + "\n" + tr("In: %1").arg(preset.scenarios.join(", ")));
+    const QString summary = summary_of(part(), preset);
+    item->setData(CardDelegate::kSentenceRole, summary);
+    item->setData(Qt::AccessibleDescriptionRole, summary);
+    item->setToolTip(summary + "\n" + tr("In: %1").arg(preset.scenarios.join(", ")));
   }
   list_->setCurrentRow(0);
 }

@@ -54,18 +54,6 @@ QString strategy_summary(const Scenario& scenario) {
            value_of("towing.start", scenario));
 }
 
-QString summary_of(ScenarioPart part, const Scenario& scenario) {
-  switch (part) {
-    case ScenarioPart::pocket:
-      return pocket_summary(scenario);
-    case ScenarioPart::target:
-      return target_summary(scenario);
-    case ScenarioPart::strategy:
-      break;
-  }
-  return strategy_summary(scenario);
-}
-
 std::vector<ScenarioDocument::Setting> settings_of(ScenarioPart part, const Scenario& scenario) {
   const std::vector<std::string_view> groups = groups_of(part);
   std::vector<ScenarioDocument::Setting> settings;
@@ -86,13 +74,25 @@ std::vector<PartPreset> read_parts(ScenarioPart part) {
     if (const auto place = std::ranges::find_if(found, same); place != found.end()) {
       place->scenarios << preset.name;
     } else {
-      found.push_back({preset.name, {preset.name}, summary_of(part, scenario), std::move(settings)});
+      found.push_back({preset.name, {preset.name}, scenario, std::move(settings)});
     }
   }
   return found;
 }
 
 }  // namespace
+
+QString summary_of(ScenarioPart part, const PartPreset& preset) {
+  switch (part) {
+    case ScenarioPart::pocket:
+      return pocket_summary(preset.scenario);
+    case ScenarioPart::target:
+      return target_summary(preset.scenario);
+    case ScenarioPart::strategy:
+      break;
+  }
+  return strategy_summary(preset.scenario);
+}
 
 const std::vector<PartPreset>& part_presets(ScenarioPart part) {
   static const std::array<std::vector<PartPreset>, 3> all = {

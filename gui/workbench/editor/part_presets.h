@@ -13,12 +13,15 @@ enum class ScenarioPart { pocket, target, strategy };
 struct PartPreset {
   QString name;           // of the first scenario that has it
   QStringList scenarios;  // all that have the same
-  QString summary;        // "Sphere, radius 4.2 m, 200 kg"
+  Scenario scenario;      // that one
   std::vector<ScenarioDocument::Setting> settings;
 };
 
 // Those of the pocket's capture system, each once, in the order of presets().
 const std::vector<PartPreset>& part_presets(ScenarioPart part);
+
+// In the language of the window: "sphere, radius 4.2 m, 200 kg".
+QString summary_of(ScenarioPart part, const PartPreset& preset);
 
 // The settings that would change something.
 std::vector<ScenarioDocument::Setting> changes(const PartPreset& preset, const Scenario& scenario);

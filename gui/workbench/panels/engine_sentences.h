@@ -1,6 +1,6 @@
 #pragma once
-// What the engine can say where the window shows it: names, and sentences with places %1, %2, ... in their order. Of
-// several that fit the first is taken, so the more special one stands first.
+// What the engine and its figures can say where the window shows it: names, and sentences with places %1, %2, ... in
+// their order. Of several that fit the first is taken, so the more special one stands first.
 
 #include <QCoreApplication>
 #include <array>
@@ -282,6 +282,62 @@ inline constexpr auto kEngineSentences = std::to_array<const char*>({
     QT_TRANSLATE_NOOP("engine", "findings"),
     QT_TRANSLATE_NOOP("engine", "a recording"),
     QT_TRANSLATE_NOOP("engine", "a scenario"),
+
+    // Figures.
+    QT_TRANSLATE_NOOP("engine", "Time (s)"),
+    QT_TRANSLATE_NOOP("engine", "Time *t* (s)"),
+    QT_TRANSLATE_NOOP("engine", "Distance between adjacent rod tips"),
+    QT_TRANSLATE_NOOP("engine", "Distance *L* (m)"),
+    QT_TRANSLATE_NOOP("engine", "Closing speed"),
+    QT_TRANSLATE_NOOP("engine", "Speed d*L*/d*t* (m/s)"),
+    QT_TRANSLATE_NOOP("engine", "commanded"),
+    QT_TRANSLATE_NOOP("engine", "measured"),
+    QT_TRANSLATE_NOOP("engine", "Force %1 (N)"),
+    QT_TRANSLATE_NOOP("engine", "%1 N at %2 s"),
+    QT_TRANSLATE_NOOP("engine", "Target"),
+    QT_TRANSLATE_NOOP("engine", "Spacecraft"),
+    QT_TRANSLATE_NOOP("engine", "Target: axial"),
+    QT_TRANSLATE_NOOP("engine", "Target: lateral"),
+    QT_TRANSLATE_NOOP("engine", "Spacecraft: axial"),
+    QT_TRANSLATE_NOOP("engine", "Spacecraft: lateral"),
+    QT_TRANSLATE_NOOP("engine", "%1: axial"),
+    QT_TRANSLATE_NOOP("engine", "%1: lateral"),
+    QT_TRANSLATE_NOOP("engine", "Position *Y* (m)"),
+    QT_TRANSLATE_NOOP("engine", "Position *X*, *Z* (m)"),
+    QT_TRANSLATE_NOOP("engine", "Balance"),
+    QT_TRANSLATE_NOOP("engine", "Dissipated"),
+    QT_TRANSLATE_NOOP("engine", "Dissipated; parts not recorded"),
+    QT_TRANSLATE_NOOP("engine", "Error"),
+    QT_TRANSLATE_NOOP("engine", "Error, below 0.001 % of the input"),
+    QT_TRANSLATE_NOOP("engine", "Error, at most %1 % of the input"),
+    QT_TRANSLATE_NOOP("engine", "%1: balance"),
+    QT_TRANSLATE_NOOP("engine", "%1: dissipated"),
+    QT_TRANSLATE_NOOP("engine", "%1: dissipated; parts not recorded"),
+    QT_TRANSLATE_NOOP("engine", "%1: error"),
+    QT_TRANSLATE_NOOP("engine", "%1: error, below 0.001 % of the input"),
+    QT_TRANSLATE_NOOP("engine", "%1: error, at most %2 % of the input"),
+    QT_TRANSLATE_NOOP("engine", "put in"),
+    QT_TRANSLATE_NOOP("engine", "kinetic"),
+    QT_TRANSLATE_NOOP("engine", "strain"),
+    QT_TRANSLATE_NOOP("engine", "dissipated"),
+    QT_TRANSLATE_NOOP("engine", "contact springs"),
+    QT_TRANSLATE_NOOP("engine", "in cords"),
+    QT_TRANSLATE_NOOP("engine", "at hinges"),
+    QT_TRANSLATE_NOOP("engine", "in contacts"),
+    QT_TRANSLATE_NOOP("engine", "by friction"),
+    QT_TRANSLATE_NOOP("engine", "Energy (J)"),
+    QT_TRANSLATE_NOOP("engine", "Energy error (J)"),
+    QT_TRANSLATE_NOOP("engine", "Largest tension in a net cord"),
+    QT_TRANSLATE_NOOP("engine", "Tension in the closing ropes, mean"),
+    QT_TRANSLATE_NOOP("engine", "Tension (N)"),
+    QT_TRANSLATE_NOOP("engine", "%1: actual; dashed: set point"),
+    QT_TRANSLATE_NOOP("engine", "%1: size of the error"),
+    QT_TRANSLATE_NOOP("engine", "%1: delivered; dashed: commanded"),
+    QT_TRANSLATE_NOOP("engine", "%1: delivered"),
+    QT_TRANSLATE_NOOP("engine", "%1 to %2"),
+    QT_TRANSLATE_NOOP("engine", "force"),
+    QT_TRANSLATE_NOOP("engine", "%1 error (%2)"),
+    QT_TRANSLATE_NOOP("engine", "%1 (%2)"),
 });
 
 }  // namespace netpocket

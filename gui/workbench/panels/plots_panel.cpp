@@ -11,6 +11,7 @@
 
 #include "gui/workbench/panels/ask_for_file.h"
 #include "gui/workbench/panels/figure_image.h"
+#include "gui/workbench/panels/figure_words.h"
 #include "gui/workbench/panels/rich_label.h"
 #include "gui/workbench/panels/tones.h"
 #include "render/figures/control_loops.h"
@@ -186,7 +187,7 @@ void PlotsPanel::showEvent(QShowEvent* event) {
 
 void PlotsPanel::redraw() {
   stale_ = false;
-  chart_->set_figure(make_figure());
+  chart_->set_figure(in_window_language(make_figure()));
   export_->setEnabled(time_range(chart_->figure()).has_value());
   show_values();
 }

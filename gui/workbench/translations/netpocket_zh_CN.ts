@@ -77,12 +77,12 @@
 <context>
     <name>Language</name>
     <message>
-        <source>No installed font has the letters of the language %1, so the window speaks English; on Debian the packages fonts-noto-cjk and fonts-wqy-microhei have Chinese ones.</source>
-        <translation>已安装的字体都没有语言 %1 的文字，因此窗口使用英语；在 Debian 上，软件包 fonts-noto-cjk 和 fonts-wqy-microhei 含有中文字体。</translation>
-    </message>
-    <message>
         <source>The preferences ask for the language “%1”, which this program does not speak, so the system&apos;s is taken; there are: %2.</source>
         <translation>首选项要求的语言“%1”本程序不支持，因此采用系统语言；可用的有：%2。</translation>
+    </message>
+    <message>
+        <source>No installed font has the letters of the language %1, so the window speaks English; on Debian the packages fonts-wqy-microhei and fonts-noto-cjk have Chinese ones.</source>
+        <translation>已安装的字体都没有语言 %1 的文字，因此窗口使用英语；在 Debian 上，软件包 fonts-wqy-microhei 和 fonts-noto-cjk 含有中文字体。</translation>
     </message>
 </context>
 <context>
@@ -1368,6 +1368,222 @@
     <message>
         <source>a scenario</source>
         <translation>场景</translation>
+    </message>
+    <message>
+        <source>Time (s)</source>
+        <translation>时间 (s)</translation>
+    </message>
+    <message>
+        <source>Time *t* (s)</source>
+        <translation>时间 *t* (s)</translation>
+    </message>
+    <message>
+        <source>Distance between adjacent rod tips</source>
+        <translation>相邻杆端间的距离</translation>
+    </message>
+    <message>
+        <source>Distance *L* (m)</source>
+        <translation>距离 *L* (m)</translation>
+    </message>
+    <message>
+        <source>Closing speed</source>
+        <translation>收口速率</translation>
+    </message>
+    <message>
+        <source>Speed d*L*/d*t* (m/s)</source>
+        <translation>速率 d*L*/d*t* (m/s)</translation>
+    </message>
+    <message>
+        <source>commanded</source>
+        <translation>指令</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>实测</translation>
+    </message>
+    <message>
+        <source>Force %1 (N)</source>
+        <translation>力 %1 (N)</translation>
+    </message>
+    <message>
+        <source>%1 N at %2 s</source>
+        <translation>%1 N，%2 s</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>Spacecraft</source>
+        <translation>服务航天器</translation>
+    </message>
+    <message>
+        <source>Target: axial</source>
+        <translation>目标：轴向</translation>
+    </message>
+    <message>
+        <source>Target: lateral</source>
+        <translation>目标：横向</translation>
+    </message>
+    <message>
+        <source>Spacecraft: axial</source>
+        <translation>服务航天器：轴向</translation>
+    </message>
+    <message>
+        <source>Spacecraft: lateral</source>
+        <translation>服务航天器：横向</translation>
+    </message>
+    <message>
+        <source>%1: axial</source>
+        <translation>%1：轴向</translation>
+    </message>
+    <message>
+        <source>%1: lateral</source>
+        <translation>%1：横向</translation>
+    </message>
+    <message>
+        <source>Position *Y* (m)</source>
+        <translation>位置 *Y* (m)</translation>
+    </message>
+    <message>
+        <source>Position *X*, *Z* (m)</source>
+        <translation>位置 *X*、*Z* (m)</translation>
+    </message>
+    <message>
+        <source>Balance</source>
+        <translation>平衡</translation>
+    </message>
+    <message>
+        <source>Dissipated</source>
+        <translation>耗散</translation>
+    </message>
+    <message>
+        <source>Dissipated; parts not recorded</source>
+        <translation>耗散（各部分未记录）</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>误差</translation>
+    </message>
+    <message>
+        <source>Error, below 0.001 % of the input</source>
+        <translation>误差，低于输入的 0.001 %</translation>
+    </message>
+    <message>
+        <source>Error, at most %1 % of the input</source>
+        <translation>误差，至多为输入的 %1 %</translation>
+    </message>
+    <message>
+        <source>%1: balance</source>
+        <translation>%1：平衡</translation>
+    </message>
+    <message>
+        <source>%1: dissipated</source>
+        <translation>%1：耗散</translation>
+    </message>
+    <message>
+        <source>%1: dissipated; parts not recorded</source>
+        <translation>%1：耗散（各部分未记录）</translation>
+    </message>
+    <message>
+        <source>%1: error</source>
+        <translation>%1：误差</translation>
+    </message>
+    <message>
+        <source>%1: error, below 0.001 % of the input</source>
+        <translation>%1：误差，低于输入的 0.001 %</translation>
+    </message>
+    <message>
+        <source>%1: error, at most %2 % of the input</source>
+        <translation>%1：误差，至多为输入的 %2 %</translation>
+    </message>
+    <message>
+        <source>put in</source>
+        <translation>输入</translation>
+    </message>
+    <message>
+        <source>kinetic</source>
+        <translation>动能</translation>
+    </message>
+    <message>
+        <source>strain</source>
+        <translation>应变能</translation>
+    </message>
+    <message>
+        <source>dissipated</source>
+        <translation>耗散</translation>
+    </message>
+    <message>
+        <source>contact springs</source>
+        <translation>接触弹簧</translation>
+    </message>
+    <message>
+        <source>in cords</source>
+        <translation>绳内</translation>
+    </message>
+    <message>
+        <source>at hinges</source>
+        <translation>铰处</translation>
+    </message>
+    <message>
+        <source>in contacts</source>
+        <translation>接触中</translation>
+    </message>
+    <message>
+        <source>by friction</source>
+        <translation>摩擦</translation>
+    </message>
+    <message>
+        <source>Energy (J)</source>
+        <translation>能量 (J)</translation>
+    </message>
+    <message>
+        <source>Energy error (J)</source>
+        <translation>能量误差 (J)</translation>
+    </message>
+    <message>
+        <source>Largest tension in a net cord</source>
+        <translation>网绳的最大张力</translation>
+    </message>
+    <message>
+        <source>Tension in the closing ropes, mean</source>
+        <translation>收口绳的平均张力</translation>
+    </message>
+    <message>
+        <source>Tension (N)</source>
+        <translation>张力 (N)</translation>
+    </message>
+    <message>
+        <source>%1: actual; dashed: set point</source>
+        <translation>%1：实际值；虚线：设定值</translation>
+    </message>
+    <message>
+        <source>%1: size of the error</source>
+        <translation>%1：误差大小</translation>
+    </message>
+    <message>
+        <source>%1: delivered; dashed: commanded</source>
+        <translation>%1：输出；虚线：指令</translation>
+    </message>
+    <message>
+        <source>%1: delivered</source>
+        <translation>%1：输出</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 至 %2</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>%1 error (%2)</source>
+        <translation>%1误差 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>
