@@ -15,6 +15,8 @@ namespace netpocket {
 namespace {
 
 constexpr const char* kToldKey = "language/font_missing";  // of which language
+//: To be translated by what the language calls itself
+constexpr const char* kOwnName = QT_TRANSLATE_NOOP("Language", "English");
 
 struct LanguageWords {
   Q_DECLARE_TR_FUNCTIONS(Language)
@@ -25,12 +27,11 @@ QString file_of(const QString& code) { return ":/translations/netpocket_" + code
 QString own_name(const QString& code) {
   QTranslator translator;
   if (!translator.load(file_of(code))) return {};
-  //: The name of the language that this file translates to, in that language
-  return translator.translate("Language", QT_TRANSLATE_NOOP("Language", "English"));
+  return translator.translate("Language", kOwnName);
 }
 
 std::vector<Language> read_languages() {
-  std::vector<Language> found = {{kEnglish, "English"}};
+  std::vector<Language> found = {{kEnglish, kOwnName}};
   for (QString file : QDir(":/translations").entryList({"netpocket_*.qm"}, QDir::Files, QDir::Name)) {
     const QString code = file.remove("netpocket_").chopped(3);
     if (const QString name = own_name(code); !name.isEmpty()) found.push_back({code, name});

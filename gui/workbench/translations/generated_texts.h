@@ -1,5 +1,13 @@
 #pragma once
-inline constexpr const char* k[] = {
+// Texts of parameters, findings and scenarios, for lupdate; nothing includes this. Made from their tables:
+// NETPOCKET_RENEW=1 build/tests/test_workbench --gtest_filter='Translations.*' writes it anew.
+// clang-format off
+
+#include <QCoreApplication>
+
+namespace netpocket {
+
+inline constexpr const char* kGeneratedTexts[] = {
     QT_TRANSLATE_NOOP("parameters", "Scenario"),
     QT_TRANSLATE_NOOP("parameters", "What the scenario is called, and what kind of system it describes."),
     QT_TRANSLATE_NOOP("parameters", "Name"),
@@ -381,6 +389,28 @@ inline constexpr const char* k[] = {
     QT_TRANSLATE_NOOP("parameters", "of a side's drawstring when closed"),
     QT_TRANSLATE_NOOP("parameters", "assumption: polyamide"),
     QT_TRANSLATE_NOOP("parameters", "assumption: braided polyamide"),
+    QT_TRANSLATE_NOOP("engine", "The contact force in y exceeds those in x and z."),
+    QT_TRANSLATE_NOOP("engine", "peak |F_y| > peak |F_x| and > peak |F_z| over the run; forces are means over the output interval"),
+    QT_TRANSLATE_NOOP("engine", "The largest contact force comes before the closing ends."),
+    QT_TRANSLATE_NOOP("engine", "the frame with the largest |F| of the whole run, towing included, is not later than the end of the closing law"),
+    QT_TRANSLATE_NOOP("engine", "Faster closing gives a larger contact force in y."),
+    QT_TRANSLATE_NOOP("engine", "the peak |F_y| of a run depends on round-off, so that single runs decide nothing: of 2 draws or more for each closing time (16 in the study), made with solver.perturbation and different seeds, the mean of log peak |F_y| falls with the closing time, yes when all intervals of the differences between closing times lie on that side, no when one lies on the other (Welch's t intervals, together 95 %); one verdict for all"),
+    QT_TRANSLATE_NOOP("engine", "Faster closing gives an earlier first contact."),
+    QT_TRANSLATE_NOOP("engine", "over runs sorted by the end of closing, the first frame with contact comes strictly later; one verdict for all"),
+    QT_TRANSLATE_NOOP("engine", "Forces in x and z appear only after closing; the closing time hardly changes them."),
+    QT_TRANSLATE_NOOP("engine", "|F_x| and |F_z| stay below 2 % of the run's peak |F_y| until closing ends and both exceed it afterwards, and the larger peaks after closing differ by less than a factor 2 between the runs; one verdict for all"),
+    QT_TRANSLATE_NOOP("engine", "The force in y is negative, then positive, then negative while closing (case 1)."),
+    QT_TRANSLATE_NOOP("engine", "a push down by the mouth, a push up by the cone near the spacecraft, a stop by the mouth: the first three pushes before closing ends, each with a quarter or more of the largest impulse (smaller ones between two pushes are merged into them), are -, +, -, and more than half of each acts where it should; the mouth is rods, net and ropes above the kink row, the cone those below it, where they are at the start; the impulse between two frames goes to them as the forces of their contact points in its direction at the two frames, or at the nearest within 0.1 s that have any"),
+    QT_TRANSLATE_NOOP("engine", "Target and spacecraft rest until contact, then move slightly in y before closing ends."),
+    QT_TRANSLATE_NOOP("engine", "until first contact the target moves at most 1 mm and the spacecraft 10 mm (the folding rods move it, as momentum demands); from where they are then until closing ends both move in y by more than they did before, but less than 0.1 m"),
+    QT_TRANSLATE_NOOP("engine", "In towing the forces are clearly smaller but contact persists."),
+    QT_TRANSLATE_NOOP("engine", "peak |F_y| after towing starts is below 50 % of that before, and more than half of the frames in towing have contact"),
+    QT_TRANSLATE_NOOP("engine", "In towing spacecraft and target move together in y."),
+    QT_TRANSLATE_NOOP("engine", "in towing the distance in y between the two changes by less than 20 % of the way of the spacecraft"),
+    QT_TRANSLATE_NOOP("engine", "In towing the lateral motion is of the order of 1e-3 m (target) and 1e-5 m (spacecraft)."),
+    QT_TRANSLATE_NOOP("engine", "the largest change of x or z since towing started is within a factor 10 of 1e-3 m for the target and of 1e-5 m for the spacecraft"),
+    QT_TRANSLATE_NOOP("engine", "The target stays captured."),
+    QT_TRANSLATE_NOOP("engine", "target_inside is 1 in every frame from the end of the closing law to the end of the run, closing_length stays within 5 % of the commanded length or below half of its initial value in those frames, and the run goes on for 1 s or more after the closing, and for 1 s or more after towing starts"),
     QT_TRANSLATE_NOOP("scenarios", "A target enters 0.6 m off the axis; the closing starts when it is inside, the towing when the mouth is closed"),
     QT_TRANSLATE_NOOP("scenarios", "Case 1 of Tang et al. 2023: closing in 10 s, towing from 10 s"),
     QT_TRANSLATE_NOOP("scenarios", "Case 2 of Tang et al. 2023: closing in 7.5 s, towing from 10 s"),
@@ -400,3 +430,5 @@ inline constexpr const char* k[] = {
     QT_TRANSLATE_NOOP("scenarios", "A box of 6.0 x 5.0 x 4.2 m and 400 kg that tumbles at about 12 degrees per second"),
     QT_TRANSLATE_NOOP("scenarios", "A satellite of 350 kg and 8.4 m from tip to tip that tumbles at about 10 degrees per second"),
 };
+
+}  // namespace netpocket

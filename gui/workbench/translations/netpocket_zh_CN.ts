@@ -84,6 +84,11 @@
         <source>No installed font has the letters of the language %1, so the window speaks English; on Debian the packages fonts-wqy-microhei and fonts-noto-cjk have Chinese ones.</source>
         <translation>已安装的字体都没有语言 %1 的文字，因此窗口使用英语；在 Debian 上，软件包 fonts-wqy-microhei 和 fonts-noto-cjk 含有中文字体。</translation>
     </message>
+    <message>
+        <source>English</source>
+        <extracomment>To be translated by what the language calls itself</extracomment>
+        <translation>简体中文</translation>
+    </message>
 </context>
 <context>
     <name>LoopReading</name>
@@ -1584,6 +1589,94 @@
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>The contact force in y exceeds those in x and z.</source>
+        <translation>y 向接触力大于 x 向和 z 向。</translation>
+    </message>
+    <message>
+        <source>peak |F_y| &gt; peak |F_x| and &gt; peak |F_z| over the run; forces are means over the output interval</source>
+        <translation>整个仿真中 |F_y| 的峰值大于 |F_x| 和 |F_z| 的峰值；力取输出间隔内的平均值</translation>
+    </message>
+    <message>
+        <source>The largest contact force comes before the closing ends.</source>
+        <translation>最大接触力出现在收口结束之前。</translation>
+    </message>
+    <message>
+        <source>the frame with the largest |F| of the whole run, towing included, is not later than the end of the closing law</source>
+        <translation>整个仿真（含拖曳）中 |F| 最大的一帧不晚于收口规律的结束</translation>
+    </message>
+    <message>
+        <source>Faster closing gives a larger contact force in y.</source>
+        <translation>收口越快，y 向接触力越大。</translation>
+    </message>
+    <message>
+        <source>the peak |F_y| of a run depends on round-off, so that single runs decide nothing: of 2 draws or more for each closing time (16 in the study), made with solver.perturbation and different seeds, the mean of log peak |F_y| falls with the closing time, yes when all intervals of the differences between closing times lie on that side, no when one lies on the other (Welch&apos;s t intervals, together 95 %); one verdict for all</source>
+        <translation>单个仿真的 |F_y| 峰值受舍入误差影响，因此单个仿真不能判定：对每个收口时间用 solver.perturbation 和不同种子作 2 次或更多抽样（研究中为 16 次），log |F_y| 峰值的平均值随收口时间下降；若各收口时间之差的所有区间都在该侧，则为“是”，若有一个在另一侧，则为“否”（Welch t 区间，合计 95 %）；全部共用一个判定</translation>
+    </message>
+    <message>
+        <source>Faster closing gives an earlier first contact.</source>
+        <translation>收口越快，首次接触越早。</translation>
+    </message>
+    <message>
+        <source>over runs sorted by the end of closing, the first frame with contact comes strictly later; one verdict for all</source>
+        <translation>按收口结束的先后排列各仿真，首个有接触的帧严格依次推后；全部共用一个判定</translation>
+    </message>
+    <message>
+        <source>Forces in x and z appear only after closing; the closing time hardly changes them.</source>
+        <translation>x 向和 z 向的力只在收口之后出现；收口时间对它们几乎没有影响。</translation>
+    </message>
+    <message>
+        <source>|F_x| and |F_z| stay below 2 % of the run&apos;s peak |F_y| until closing ends and both exceed it afterwards, and the larger peaks after closing differ by less than a factor 2 between the runs; one verdict for all</source>
+        <translation>收口结束前 |F_x| 和 |F_z| 低于该仿真 |F_y| 峰值的 2 %，其后二者都超过它，且各仿真收口后的较大峰值相差不到 2 倍；全部共用一个判定</translation>
+    </message>
+    <message>
+        <source>The force in y is negative, then positive, then negative while closing (case 1).</source>
+        <translation>收口过程中 y 向力先负、后正、再负（工况 1）。</translation>
+    </message>
+    <message>
+        <source>a push down by the mouth, a push up by the cone near the spacecraft, a stop by the mouth: the first three pushes before closing ends, each with a quarter or more of the largest impulse (smaller ones between two pushes are merged into them), are -, +, -, and more than half of each acts where it should; the mouth is rods, net and ropes above the kink row, the cone those below it, where they are at the start; the impulse between two frames goes to them as the forces of their contact points in its direction at the two frames, or at the nearest within 0.1 s that have any</source>
+        <translation>网口向下推、靠近服务航天器的锥段向上推、网口使其停住：收口结束前的前三次推动，每次不小于最大冲量的四分之一（两次推动之间更小的并入它们），依次为 -、+、-，且每次有一半以上作用在应有的部位；网口指折点行以上的充气杆、绳网和绳，锥段指起始时位于其下的部分；两帧之间的冲量按这两帧中接触点沿其方向的力分配，若没有则按 0.1 s 内最近的有接触的帧</translation>
+    </message>
+    <message>
+        <source>Target and spacecraft rest until contact, then move slightly in y before closing ends.</source>
+        <translation>目标和服务航天器在接触前静止，其后到收口结束前沿 y 略有移动。</translation>
+    </message>
+    <message>
+        <source>until first contact the target moves at most 1 mm and the spacecraft 10 mm (the folding rods move it, as momentum demands); from where they are then until closing ends both move in y by more than they did before, but less than 0.1 m</source>
+        <translation>首次接触前目标移动不超过 1 mm，服务航天器不超过 10 mm（折叠的充气杆按动量守恒推动它）；从那时的位置到收口结束，二者沿 y 的移动都大于此前，但小于 0.1 m</translation>
+    </message>
+    <message>
+        <source>In towing the forces are clearly smaller but contact persists.</source>
+        <translation>拖曳中力明显变小，但接触持续存在。</translation>
+    </message>
+    <message>
+        <source>peak |F_y| after towing starts is below 50 % of that before, and more than half of the frames in towing have contact</source>
+        <translation>拖曳开始后 |F_y| 的峰值低于此前的 50 %，且拖曳中一半以上的帧有接触</translation>
+    </message>
+    <message>
+        <source>In towing spacecraft and target move together in y.</source>
+        <translation>拖曳中服务航天器与目标沿 y 一起运动。</translation>
+    </message>
+    <message>
+        <source>in towing the distance in y between the two changes by less than 20 % of the way of the spacecraft</source>
+        <translation>拖曳中二者沿 y 的距离变化小于服务航天器行程的 20 %</translation>
+    </message>
+    <message>
+        <source>In towing the lateral motion is of the order of 1e-3 m (target) and 1e-5 m (spacecraft).</source>
+        <translation>拖曳中横向运动的量级为 1e-3 m（目标）和 1e-5 m（服务航天器）。</translation>
+    </message>
+    <message>
+        <source>the largest change of x or z since towing started is within a factor 10 of 1e-3 m for the target and of 1e-5 m for the spacecraft</source>
+        <translation>拖曳开始后 x 或 z 的最大变化，目标在 1e-3 m 的 10 倍以内，服务航天器在 1e-5 m 的 10 倍以内</translation>
+    </message>
+    <message>
+        <source>The target stays captured.</source>
+        <translation>目标保持被捕获。</translation>
+    </message>
+    <message>
+        <source>target_inside is 1 in every frame from the end of the closing law to the end of the run, closing_length stays within 5 % of the commanded length or below half of its initial value in those frames, and the run goes on for 1 s or more after the closing, and for 1 s or more after towing starts</source>
+        <translation>从收口规律结束到仿真结束的每一帧 target_inside 都为 1，这些帧中 closing_length 与指令长度相差不超过 5 % 或低于初始值的一半，且收口后仿真继续 1 s 或更久，拖曳开始后也持续 1 s 或更久</translation>
     </message>
 </context>
 <context>

@@ -23,6 +23,7 @@
 #include "gui/workbench/dialogs/part_dialog.h"
 #include "gui/workbench/dialogs/preferences_dialog.h"
 #include "gui/workbench/dialogs/shortcut_sheet.h"
+#include "gui/workbench/editor/parameter_field.h"
 #include "gui/workbench/editor/parameter_form.h"
 #include "gui/workbench/editor/parameter_row.h"
 #include "gui/workbench/editor/presets.h"

@@ -98,10 +98,9 @@ TEST(Translations, TextsKeepPlacesMnemonicsAndEndings) {
         EXPECT_EQ(all_of("</?[a-z]+>|\\[\\*\\]|;;|\\*\\.[a-z0-9]+", message.source),
                   all_of("</?[a-z]+>|\\[\\*\\]|;;|\\*\\.[a-z0-9]+", text))
             << key;
-        if (message.context != "engine") EXPECT_EQ(ending(message.source), ending(text)) << key;
-        EXPECT_EQ(message.source.startsWith(' '),
-                  text.startsWith(' ') || message.source.trimmed() == "MiB" || message.source.startsWith(' '))
-            << key;
+        // Parts of sentences end as their language wants.
+        if (message.context == "engine") continue;
+        EXPECT_EQ(ending(message.source), ending(text)) << key;
       }
     }
   }
