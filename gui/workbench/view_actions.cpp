@@ -9,6 +9,7 @@
 #include <array>
 
 #include "gui/workbench/action_icons.h"
+#include "gui/workbench/panels/engine_words.h"
 #include "gui/workbench/panels/tones.h"
 #include "gui/workbench/viewport/camera_names.h"
 
@@ -213,8 +214,10 @@ void ViewActions::add_display(QMenu& menu) {
 }
 
 void ViewActions::set_phases(const std::vector<Phase>& phases) {
-  if (phases == options_.phases) return;
-  options_.phases = phases;
+  std::vector<Phase> shown = phases;
+  for (Phase& phase : shown) phase.name = engine_words(phase.name).toStdString();
+  if (shown == options_.phases) return;
+  options_.phases = std::move(shown);
   apply();
 }
 

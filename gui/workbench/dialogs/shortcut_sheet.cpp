@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
+#include <QRegularExpression>
 #include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -28,12 +29,18 @@ struct Section {
   std::vector<Line> lines;
 };
 
+// Without the letter to press: "File" for "&File", and for "文件(&F)" in languages that put it behind.
+QString plain(QString text) {
+  static const QRegularExpression kBehind(R"(\(&\w\))");
+  return text.remove(kBehind).remove('&');
+}
+
 void collect(const QMenu& menu, std::vector<Line>& lines) {
   for (const QAction* action : menu.actions()) {
     if (action->menu()) {
       collect(*action->menu(), lines);
     } else if (!action->shortcut().isEmpty()) {
-      lines.push_back({action->shortcut().toString(QKeySequence::NativeText), action->iconText()});
+      lines.push_back({action->shortcut().toString(QKeySequence::NativeText), plain(action->text())});
     }
   }
 }
@@ -41,7 +48,7 @@ void collect(const QMenu& menu, std::vector<Line>& lines) {
 std::vector<Section> sections(const QMenuBar& menus) {
   std::vector<Section> sections;
   for (const QAction* action : menus.actions()) {
-    Section section{action->text().remove('&'), {}};
+    Section section{plain(action->text()), {}};
     if (action->menu()) collect(*action->menu(), section.lines);
     if (!section.lines.empty()) sections.push_back(section);
   }

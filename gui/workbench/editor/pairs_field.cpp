@@ -25,7 +25,9 @@ PairsField::PairsField(const Parameter& parameter, QWidget* parent)
   layout->setSpacing(3);
   layout->addWidget(table_);
   const bool profile = parameter.key == "rods.profile";
+  const bool ropes = parameter.group() == "winch";
   table_->setHorizontalHeaderLabels(profile ? QStringList{tr("from axis r, m"), tr("height y, m")}
+                                    : ropes ? QStringList{tr("rope"), tr("time t, s")}
                                             : QStringList{tr("time t, s"), tr("length L, m")});
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   table_->horizontalHeader()->setHighlightSections(false);

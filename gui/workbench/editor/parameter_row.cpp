@@ -226,7 +226,9 @@ void ParameterRow::set_problem(const QString& problem) {
 }
 
 void ParameterRow::set_running(const Scenario* running) {
-  auto value = running ? std::optional(parameter_.get(*running)) : std::nullopt;
+  // A run of another scenario may have fewer controllers, or be of another system.
+  const bool known = running != nullptr && find_parameter(parameter_.key, *running) != nullptr;
+  auto value = known ? std::optional(parameter_.get(*running)) : std::nullopt;
   if (value == running_) return;
   running_ = std::move(value);
   show_effect();

@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QRegularExpression>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -39,6 +40,12 @@ QString value_html(const Curve& curve, const QString& name, double value, const 
       .arg(on_screen(curve.colour, palette).name(), name, number);
 }
 
+// A name stays in one line with its value, also one in Chinese, which may else be broken at every letter.
+QString in_one_line(QString name) {
+  static const QRegularExpression kBetween(QStringLiteral("(?<=[\\x{2E80}-\\x{FFFF}])(?=[\\x{2E80}-\\x{FFFF}])"));
+  return name.replace(' ', QChar::Nbsp).replace(kBetween, QString(QChar(0x2060)));
+}
+
 QStringList panel_values(const Panel& panel, double time, const QPalette& palette) {
   QStringList values;
   const bool labelled = std::ranges::any_of(
@@ -47,8 +54,7 @@ QStringList panel_values(const Panel& panel, double time, const QPalette& palett
     if (curve.marker != Marker::none || (labelled && curve.label.empty())) continue;
     const auto value = value_at(curve, time);
     const std::string& name = curve.label.empty() ? panel.y.title : curve.label;
-    // A name stays in one line with its value.
-    if (value) values << value_html(curve, to_html(name).replace(' ', QChar::Nbsp), *value, palette);
+    if (value) values << value_html(curve, in_one_line(to_html(name)), *value, palette);
   }
   return values;
 }

@@ -2921,6 +2921,10 @@
         <source>“%1” is not a number.</source>
         <translation>“%1”不是数。</translation>
     </message>
+    <message>
+        <source>rope</source>
+        <translation>绳</translation>
+    </message>
 </context>
 <context>
     <name>netpocket::ParameterField</name>
@@ -3833,7 +3837,7 @@
     </message>
     <message>
         <source>Space</source>
-        <translation>太空</translation>
+        <translation>空格</translation>
     </message>
     <message>
         <source>Draw it over the shown run in the plots</source>
@@ -3963,7 +3967,7 @@
     </message>
     <message>
         <source>Loop</source>
-        <translation>回路</translation>
+        <translation>循环</translation>
     </message>
     <message>
         <source>Start over when the end is reached</source>
@@ -4598,7 +4602,7 @@
     </message>
     <message>
         <source>Size</source>
-        <translation>尺寸</translation>
+        <translation>大小</translation>
     </message>
     <message>
         <source>edges of the bus, a box about the centre of mass</source>
@@ -5622,7 +5626,7 @@
     </message>
     <message>
         <source>Side</source>
-        <translation>侧视</translation>
+        <translation>边长</translation>
     </message>
     <message>
         <source>side of the square or the hexagon; length of a spoke</source>

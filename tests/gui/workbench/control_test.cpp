@@ -179,6 +179,14 @@ TEST_F(ControlTest, AScenarioWithoutLoopsSaysWhatToDo) {
   EXPECT_TRUE(panel().list()->isHidden());
 }
 
+TEST_F(ControlTest, ARunWithoutControllersMayBePausedWhileAScenarioWithThemIsOpened) {
+  window_->document().start_from(quick_scenario());
+  ASSERT_TRUE(run_to(0.2));
+  ASSERT_TRUE(window_->document().start_from(QString(kControlled)).ok());
+  ASSERT_TRUE(wait_until([&] { return panel().findChild<QTreeWidget*>()->topLevelItemCount() > 0; }));
+  EXPECT_TRUE(window_->session().live() != nullptr);
+}
+
 TEST_F(ControlTest, GainsActOnTheRunAtOnceAndCommentsStay) {
   ASSERT_TRUE(run_to(0.2));
   ParameterRow* frequency = panel().gains()->row("controller.0.frequency");
