@@ -28,6 +28,11 @@ const Scenario& default_scenario() {
   return scenario;
 }
 
+// Whether the scenario has the parameter's item and is of its system.
+bool is_in(const Parameter& parameter, const Scenario& scenario) {
+  return find_parameter(parameter.key, scenario) != nullptr;
+}
+
 // A label in bold is wider.
 int bold_width(const QFontMetrics& metrics, const QString& words) {
   return static_cast<int>(1.12 * metrics.horizontalAdvance(words)) + 4;
@@ -157,7 +162,8 @@ void ParameterRow::show_scenario(const Scenario& scenario, const Scenario& saved
     typed_problem_.clear();
   }
   value_ = value;
-  saved_ = parameter_.get(saved);
+  // What is saved may have fewer items, such as controllers: a new one starts from the defaults.
+  saved_ = is_in(parameter_, saved) ? parameter_.get(saved) : parameter_.get(default_scenario());
   unused_ = why_unused(parameter_, scenario);
   unit_->setText(unit_of(parameter_, scenario));
   field_->setEnabled(!unused_);
@@ -227,8 +233,8 @@ void ParameterRow::set_problem(const QString& problem) {
 
 void ParameterRow::set_running(const Scenario* running) {
   // A run of another scenario may have fewer controllers, or be of another system.
-  const bool known = running != nullptr && find_parameter(parameter_.key, *running) != nullptr;
-  auto value = known ? std::optional(parameter_.get(*running)) : std::nullopt;
+  auto value =
+      running != nullptr && is_in(parameter_, *running) ? std::optional(parameter_.get(*running)) : std::nullopt;
   if (value == running_) return;
   running_ = std::move(value);
   show_effect();

@@ -187,6 +187,17 @@ TEST_F(ControlTest, ARunWithoutControllersMayBePausedWhileAScenarioWithThemIsOpe
   EXPECT_TRUE(window_->session().live() != nullptr);
 }
 
+TEST_F(ControlTest, ScenariosWithMoreAndFewerControllersFollowEachOther) {
+  const auto loops = [this] { return panel().findChild<QTreeWidget*>()->topLevelItemCount(); };
+  ASSERT_TRUE(wait_until([&] { return loops() > 0; }));
+  window_->document().start_from(quick_scenario());
+  ASSERT_TRUE(wait_until([&] { return loops() == 0; }));
+  // Written into the text, what is saved has none of them.
+  ASSERT_TRUE(window_->document().set_text(QString(kControlled)).ok());
+  ASSERT_TRUE(wait_until([&] { return loops() > 0; }));
+  EXPECT_TRUE(window_->document().is_modified());
+}
+
 TEST_F(ControlTest, GainsActOnTheRunAtOnceAndCommentsStay) {
   ASSERT_TRUE(run_to(0.2));
   ParameterRow* frequency = panel().gains()->row("controller.0.frequency");
