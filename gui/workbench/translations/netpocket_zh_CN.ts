@@ -1678,6 +1678,38 @@
         <source>target_inside is 1 in every frame from the end of the closing law to the end of the run, closing_length stays within 5 % of the commanded length or below half of its initial value in those frames, and the run goes on for 1 s or more after the closing, and for 1 s or more after towing starts</source>
         <translation>从收口规律结束到仿真结束的每一帧 target_inside 都为 1，这些帧中 closing_length 与指令长度相差不超过 5 % 或低于初始值的一半，且收口后仿真继续 1 s 或更久，拖曳开始后也持续 1 s 或更久</translation>
     </message>
+    <message>
+        <source>rod %1</source>
+        <translation>充气杆 %1</translation>
+    </message>
+    <message>
+        <source>row %1</source>
+        <translation>第 %1 行</translation>
+    </message>
+    <message>
+        <source>column %1</source>
+        <translation>第 %1 列</translation>
+    </message>
+    <message>
+        <source>spoke %1</source>
+        <translation>径向绳 %1</translation>
+    </message>
+    <message>
+        <source>ring %1 part %2</source>
+        <translation>第 %1 环第 %2 段</translation>
+    </message>
+    <message>
+        <source>cable</source>
+        <translation>索</translation>
+    </message>
+    <message>
+        <source>rising %1</source>
+        <translation>升斜绳 %1</translation>
+    </message>
+    <message>
+        <source>falling %1</source>
+        <translation>降斜绳 %1</translation>
+    </message>
 </context>
 <context>
     <name>netpocket::AboutDialog</name>

@@ -57,44 +57,42 @@ class BracketTranslator : public QTranslator {
 // What is left of a text without what is in brackets, HTML, and what is the same in all languages.
 QString untranslated(QString text) {
   static const QRegularExpression kBracketed(QString("%1[^%1%2]*%2").arg(kOpen).arg(kClose));
-  static const QRegularExpression kHtml("<[^>]*>|&nbsp;|&#\\d+;|&[a-z]+;");
-  while (text.contains(kBracketed)) text.remove(kBracketed);
-  return text.remove(kHtml);
+  static const QRegularExpression kHtml("<code>[^<]*</code>|<[^>]*>|&nbsp;|&#\\d+;|&[a-z]+;");
+  while (text.contains(kBracketed)) text.replace(kBracketed, " ");
+  return text.replace(kHtml, " ");
 }
 
 // Keys, choices and names of files are the same in all languages; so are units, coordinates and names of programs.
 bool is_the_same_everywhere(const QString& word) {
   static const QSet<QString> kWords = [] {
-    QSet<QString> words;
+    QSet<QString> words = {"Netpocket", "quick", "true", "false",     "true",  "false",  "MiB",   "English", "PDF",
+                           "SVG",       "PNG",   "Qt",   "offscreen", "xcb",   "OSMesa", "image", "toml",    "Ctrl",
+                           "Shift",     "Alt",   "Esc",  "Del",       "Space", "Home",   "End",   "Return"};
+    const auto add_parts = [&words](std::string_view text) {
+      const QString whole = QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+      for (const QString& part : whole.split(QRegularExpression("[^A-Za-z]+"))) words << part;
+    };
+    const auto add = [&](std::span<const Parameter> parameters) {
+      for (const Parameter& parameter : parameters) {
+        add_parts(parameter.unit);
+        for (const std::string_view choice : parameter.choices) add_parts(choice);
+      }
+    };
     for (const char* system : {"pocket", "thrown_net"}) {
-      words << system;
-      for (const Parameter& parameter : parameters(system)) {
-        for (const std::string_view choice : parameter.choices) {
-          words << QString::fromUtf8(choice.data(), static_cast<qsizetype>(choice.size()));
-        }
-        for (const QString& unit : QString::fromUtf8(parameter.unit.data()).split(QRegularExpression("[^A-Za-z]+"))) {
-          words << unit;
-        }
-      }
-      for (const ParameterList& list : parameter_lists(system)) {
-        for (const Parameter& parameter : list.rows) {
-          for (const std::string_view choice : parameter.choices) {
-            words << QString::fromUtf8(choice.data(), static_cast<qsizetype>(choice.size()));
-          }
-        }
-      }
+      words << system << "target_inside";
+      add(parameters(system));
+      for (const ParameterList& list : parameter_lists(system)) add(list.rows);
     }
     for (const Preset& preset : presets()) words << preset.name;
-    for (const char* word :
-         {"Netpocket", "quick", "MiB",  "English", "PDF", "SVG", "PNG", "Qt",    "offscreen", "xcb", "OSMesa",
-          "image",     "toml",  "Ctrl", "Shift",   "Alt", "Esc", "Del", "Space", "Home",      "End", "Return"}) {
-      words << word;
-    }
     return words;
   }();
   if (word.size() < 2 || kWords.contains(word)) return true;
-  static const QRegularExpression kKey("^[a-z_0-9]+(\\.[a-z_0-9]+)+$");
+  static const QRegularExpression kKey("^[a-z_0-9]+([._][a-z_0-9]+)+$");
   return kKey.match(word).hasMatch();
+}
+
+bool is_key(const QString& text) {
+  return find_parameter(text.toStdString()) != nullptr || find_parameter_list(text.toStdString()) != nullptr;
 }
 
 QStringList foreign_words(const QString& text) {
@@ -130,6 +128,9 @@ class TranslatedWindow : public WindowTest {
     const QList<ShownText> texts = shown_texts(part);
     EXPECT_FALSE(texts.isEmpty()) << what;
     for (const ShownText& shown : texts) {
+      // Of a table of differences the last column has keys, and values may be what users wrote, in quotes.
+      const bool written = shown.text.startsWith(QChar(0x201C)) && shown.text.endsWith(QChar(0x201D));
+      if (written || (what.starts_with("differences") && is_key(shown.text))) continue;
       const QStringList words = foreign_words(shown.text);
       EXPECT_TRUE(words.isEmpty()) << what << ", " << shown.place.toStdString() << ": \"" << shown.text.toStdString()
                                    << "\" has " << words.join(", ").toStdString();
@@ -195,7 +196,7 @@ TEST_F(TranslatedWindow, SpeaksChineseInMenusAndForm) {
   const ParameterRow* row = window_->editor().form()->row("contact.restitution");
   ASSERT_NE(row, nullptr);
   EXPECT_EQ(row->findChild<QLabel*>()->text(), QString::fromUtf8("恢复系数"));
-  EXPECT_TRUE(row->field()->toolTip().contains(QString::fromUtf8("允许范围：>= 0 且 <= 1")))
+  EXPECT_TRUE(row->field()->toolTip().contains(QString::fromUtf8("允许范围：&gt;= 0 且 &lt;= 1")))
       << row->field()->toolTip().toStdString();
   // One finds a parameter in the language of the window and by its key.
   EXPECT_EQ(window_->editor().form()->filter(QString::fromUtf8("恢复系数"), false), 1);
