@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <initializer_list>
+#include <string>
 
 #include "engine/scenario/parameter_text.h"
 #include "engine/scenario/strategy.h"
@@ -13,8 +14,9 @@
 namespace netpocket {
 namespace {
 
-QString translated(const QString& words) {
-  return QCoreApplication::translate("parameters", words.toUtf8().constData());
+// `table`: where the words may mean something else than elsewhere, as "Rate" does.
+QString translated(const QString& words, std::string_view table = {}) {
+  return QCoreApplication::translate("parameters", words.toUtf8().constData(), std::string(table).c_str());
 }
 
 struct ParameterWords {
@@ -114,7 +116,7 @@ QString label(const Parameter& parameter) {
   QString words = from_utf8(parameter.name()).replace('_', ' ');
   words.replace("youngs", "Young's").replace("poisson ratio", "Poisson's ratio");
   words[0] = words[0].toUpper();
-  return translated(words);
+  return translated(words, parameter.group());
 }
 
 QString title(const ParameterGroup& group) { return translated(from_utf8(group.title)); }

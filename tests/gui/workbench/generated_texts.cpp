@@ -17,8 +17,8 @@ namespace {
 class TextList {
  public:
   // Each text once.
-  void add(const char* context, std::string_view text) {
-    const Entry entry = {context, std::string(text)};
+  void add(const char* context, std::string_view text, std::string_view table = {}) {
+    const Entry entry = {context, std::string(text), std::string(table)};
     if (!text.empty() && std::ranges::find(entries_, entry) == entries_.end()) entries_.push_back(entry);
   }
 
@@ -32,7 +32,15 @@ class TextList {
         "namespace netpocket {\n\n"
         "inline constexpr const char* kGeneratedTexts[] = {\n";
     for (const Entry& entry : entries_) {
+      if (!entry.table.empty()) continue;
       text += fmt::format("    QT_TRANSLATE_NOOP(\"{}\", \"{}\"),\n", entry.context, escaped(entry.text));
+    }
+    text +=
+        "};\n\n// Names that are told apart by their tables.\ninline constexpr const char* kNamesOfTables[][2] = {\n";
+    for (const Entry& entry : entries_) {
+      if (entry.table.empty()) continue;
+      text += fmt::format("    QT_TRANSLATE_NOOP3(\"{}\", \"{}\", \"{}\"),\n", entry.context, escaped(entry.text),
+                          entry.table);
     }
     return text + "};\n\n}  // namespace netpocket\n";
   }
@@ -41,6 +49,7 @@ class TextList {
   struct Entry {
     std::string context;
     std::string text;
+    std::string table;  // that the text is a name in, where names of other tables mean something else
     bool operator==(const Entry&) const = default;
   };
 
@@ -55,6 +64,30 @@ class TextList {
 
   std::vector<Entry> entries_;
 };
+
+// Every parameter of every system, also of items.
+std::vector<const Parameter*> all_parameters() {
+  std::vector<const Parameter*> all;
+  for (const char* system : {"pocket", "thrown_net"}) {
+    for (const Parameter& parameter : parameters(system)) all.push_back(&parameter);
+    for (const ParameterList& list : parameter_lists(system)) {
+      for (const Parameter& parameter : list.rows) all.push_back(&parameter);
+    }
+  }
+  return all;
+}
+
+// Names that mean several things, by what is said about them.
+void add_names_of_tables(TextList& texts) {
+  const auto all = all_parameters();
+  for (const Parameter* parameter : all) {
+    const bool several = std::ranges::any_of(all, [&](const Parameter* other) {
+      return other->name() == parameter->name() && other->group() != parameter->group() &&
+             other->help != parameter->help;
+    });
+    if (several) texts.add("parameters", label(*parameter).toStdString(), parameter->group());
+  }
+}
 
 void add_parameters(std::span<const Parameter> parameters, TextList& texts) {
   for (const Parameter& parameter : parameters) {
@@ -82,6 +115,7 @@ void add_system(std::string_view system, TextList& texts) {
 std::string generated_texts() {
   TextList texts;
   for (const char* system : {"pocket", "thrown_net"}) add_system(system, texts);
+  add_names_of_tables(texts);
   for (const Finding& finding : evaluate_findings({})) {
     texts.add("engine", finding.text);
     texts.add("engine", finding.rule);

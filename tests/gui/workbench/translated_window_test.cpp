@@ -26,6 +26,7 @@
 #include "gui/workbench/editor/parameter_field.h"
 #include "gui/workbench/editor/parameter_form.h"
 #include "gui/workbench/editor/parameter_row.h"
+#include "gui/workbench/editor/parameter_words.h"
 #include "gui/workbench/editor/presets.h"
 #include "gui/workbench/editor/scenario_editor.h"
 #include "gui/workbench/export/export_dialog.h"
@@ -198,6 +199,9 @@ TEST_F(TranslatedWindow, SpeaksChineseInMenusAndForm) {
   EXPECT_EQ(row->findChild<QLabel*>()->text(), QString::fromUtf8("恢复系数"));
   EXPECT_TRUE(row->field()->toolTip().contains(QString::fromUtf8("允许范围：&gt;= 0 且 &lt;= 1")))
       << row->field()->toolTip().toStdString();
+  // What a name means may depend on its table.
+  EXPECT_EQ(label(*find_parameter("target.size")), QString::fromUtf8("尺寸"));
+  EXPECT_EQ(label(*find_parameter("towing.size")), QString::fromUtf8("大小"));
   // One finds a parameter in the language of the window and by its key.
   EXPECT_EQ(window_->editor().form()->filter(QString::fromUtf8("恢复系数"), false), 1);
   EXPECT_GE(window_->editor().form()->filter("restitution", false), 1);

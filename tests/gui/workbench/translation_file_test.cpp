@@ -23,10 +23,11 @@ const QString kFolder = QStringLiteral(NETPOCKET_SOURCE_DIR "/gui/workbench/tran
 struct Message {
   QString context;
   QString source;
+  QString comment;           // tells equal sources apart
   QStringList translations;  // several where they depend on a number
   QString kind;              // "unfinished", "vanished" or "obsolete"; empty: good
 
-  QString key() const { return context + " | " + source; }
+  QString key() const { return context + " | " + source + " | " + comment; }
 };
 
 std::vector<Message> read_messages(const QString& path) {
@@ -39,8 +40,9 @@ std::vector<Message> read_messages(const QString& path) {
     if (xml.readNext() != QXmlStreamReader::StartElement) continue;
     const auto name = xml.name();
     if (name == u"name") context = xml.readElementText();
-    if (name == u"message") messages.push_back({context, {}, {}, {}});
+    if (name == u"message") messages.push_back({context, {}, {}, {}, {}});
     if (name == u"source") messages.back().source = xml.readElementText();
+    if (name == u"comment") messages.back().comment = xml.readElementText();
     if (name == u"translation") {
       messages.back().kind = xml.attributes().value("type").toString();
       const QString text = xml.readElementText(QXmlStreamReader::IncludeChildElements).trimmed();
