@@ -159,7 +159,7 @@ TEST(Translations, ChineseKeepsToItsGlossary) {
   ASSERT_GE(terms.size(), 15U);
   const auto messages = read_messages(kFolder + "/netpocket_zh_CN.ts");
   for (const auto& [english, chinese] : terms) {
-    const QRegularExpression term("(?<![\\w\"\\[._-])" + QRegularExpression::escape(english) + "s?(?![\\w\".=/])",
+    const QRegularExpression term("(?<![\\w\"\\[._-])" + QRegularExpression::escape(english) + "s?(?![\\w\"=/]|\\.\\w)",
                                   QRegularExpression::CaseInsensitiveOption);
     int found = 0;
     for (const Message& message : messages) {
