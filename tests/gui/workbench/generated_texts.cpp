@@ -22,27 +22,23 @@ class TextList {
     if (!text.empty() && std::ranges::find(entries_, entry) == entries_.end()) entries_.push_back(entry);
   }
 
-  std::string header() const {
-    std::string text =
-        "#pragma once\n"
-        "// Texts of parameters, findings and scenarios, for lupdate; nothing includes this. Made from their tables:\n"
-        "// NETPOCKET_RENEW=1 build/tests/test_workbench --gtest_filter='Translations.*' writes it anew.\n"
-        "// clang-format off\n\n"
-        "#include <QCoreApplication>\n\n"
-        "namespace netpocket {\n\n"
-        "inline constexpr const char* kGeneratedTexts[] = {\n";
+  std::string texts() const {
+    std::string list;
     for (const Entry& entry : entries_) {
       if (!entry.table.empty()) continue;
-      text += fmt::format("    QT_TRANSLATE_NOOP(\"{}\", \"{}\"),\n", entry.context, escaped(entry.text));
+      list += fmt::format("    QT_TRANSLATE_NOOP(\"{}\", \"{}\"),\n", entry.context, escaped(entry.text));
     }
-    text +=
-        "};\n\n// Names that are told apart by their tables.\ninline constexpr const char* kNamesOfTables[][2] = {\n";
+    return header("Texts of parameters, findings and scenarios", "kGeneratedTexts[]", list);
+  }
+
+  std::string names_of_tables() const {
+    std::string list;
     for (const Entry& entry : entries_) {
       if (entry.table.empty()) continue;
-      text += fmt::format("    QT_TRANSLATE_NOOP3(\"{}\", \"{}\", \"{}\"),\n", entry.context, escaped(entry.text),
+      list += fmt::format("    QT_TRANSLATE_NOOP3(\"{}\", \"{}\", \"{}\"),\n", entry.context, escaped(entry.text),
                           entry.table);
     }
-    return text + "};\n\n}  // namespace netpocket\n";
+    return header("Names of parameters that mean something else in each table", "kNamesOfTables[][2]", list);
   }
 
  private:
@@ -52,6 +48,18 @@ class TextList {
     std::string table;  // that the text is a name in, where names of other tables mean something else
     bool operator==(const Entry&) const = default;
   };
+
+  static std::string header(const char* what, const char* name, const std::string& list) {
+    return fmt::format(
+        "#pragma once\n"
+        "// {}, for lupdate; nothing includes this. Made from their tables:\n"
+        "// NETPOCKET_RENEW=1 build/tests/test_workbench --gtest_filter='Translations.*' writes it anew.\n"
+        "// clang-format off\n\n"
+        "#include <QCoreApplication>\n\n"
+        "namespace netpocket {{\n\n"
+        "inline constexpr const char* {} = {{\n{}}};\n\n}}  // namespace netpocket\n",
+        what, name, list);
+  }
 
   static std::string escaped(const std::string& text) {
     std::string result;
@@ -112,7 +120,7 @@ void add_system(std::string_view system, TextList& texts) {
 
 }  // namespace
 
-std::string generated_texts() {
+std::vector<GeneratedFile> generated_texts() {
   TextList texts;
   for (const char* system : {"pocket", "thrown_net"}) add_system(system, texts);
   add_names_of_tables(texts);
@@ -121,7 +129,7 @@ std::string generated_texts() {
     texts.add("engine", finding.rule);
   }
   for (const Preset& preset : presets()) texts.add("scenarios", preset.description.toStdString());
-  return texts.header();
+  return {{"generated_texts.h", texts.texts()}, {"names_of_tables.h", texts.names_of_tables()}};
 }
 
 }  // namespace netpocket

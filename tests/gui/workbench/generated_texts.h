@@ -2,10 +2,16 @@
 // Texts that the window takes from the engine and from the scenarios that come with the program, to be translated.
 
 #include <string>
+#include <vector>
 
 namespace netpocket {
 
-// What gui/workbench/translations/generated_texts.h is to hold: a list for lupdate.
-std::string generated_texts();
+struct GeneratedFile {
+  std::string name;
+  std::string text;
+};
+
+// What such files in gui/workbench/translations are to hold: lists for lupdate.
+std::vector<GeneratedFile> generated_texts();
 
 }  // namespace netpocket
