@@ -12,6 +12,7 @@
 #include "gui/workbench/panels/engine_words.h"
 #include "gui/workbench/panels/tones.h"
 #include "gui/workbench/viewport/camera_names.h"
+#include "render/scene/color_scale.h"
 
 namespace netpocket {
 namespace {
@@ -226,6 +227,7 @@ void ViewActions::follow_theme() { apply(); }
 void ViewActions::apply() {
   const bool dark = ground_ == Ground::space || (ground_ == Ground::theme && is_dark(QApplication::palette()));
   options_.background = dark ? Background::space : Background::white;
+  options_.legend_title = engine_words(color_label(options_.color_by)).toStdString();
   viewport_.set_options(options_);
   emit options_changed(options_);
 }

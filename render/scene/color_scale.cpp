@@ -78,8 +78,8 @@ void ColorScale::update(const Snapshot& snapshot) {
   if (high > range_.high || range_.high == 0) range_.high = round_up(high);
 }
 
-std::string ColorScale::label() const {
-  switch (color_by_) {
+std::string color_label(ColorBy color_by) {
+  switch (color_by) {
     case ColorBy::tension:
       return "tension, N";
     case ColorBy::strain:

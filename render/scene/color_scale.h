@@ -10,6 +10,9 @@
 
 namespace netpocket {
 
+// Quantity and unit, e.g. "tension, N"; empty for ColorBy::none.
+std::string color_label(ColorBy color_by);
+
 class ColorScale {
  public:
   ColorScale(const Structure& structure, const SceneOptions& options);
@@ -28,7 +31,7 @@ class ColorScale {
 
   ValueRange range() const { return range_; }
 
-  std::string label() const;    // quantity and unit, e.g. "tension, N"
+  std::string label() const { return color_label(color_by_); }
   double display_unit() const;  // one unit of the label in SI
 
  private:

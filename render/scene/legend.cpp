@@ -26,7 +26,7 @@ std::string short_number(double value) {
 
 Legend::Legend(const ColorScale& scale, const SceneOptions& options, const Color& text)
     : scale_(scale), annotation_scale_(options.annotation_scale), text_color_(text), label_(text, Align::right) {
-  label_.set_text(scale.label());
+  label_.set_text(options.legend_title.empty() ? scale.label() : options.legend_title);
   values_.reserve(kValues);
   for (int i = 0; i < kValues; ++i) values_.emplace_back(text, Align::left);
   props_ = {bar_.prop(), label_.prop()};

@@ -45,6 +45,7 @@ struct SceneOptions : DisplayOptions {
   std::vector<Phase> phases;    // named beside the time; empty: the time stands alone
   double line_scale = 1;        // of the widths of lines
   double annotation_scale = 1;  // of labels, legend, scale bar and axes
+  std::string legend_title;     // in another language; empty: color_label()
   bool legend_ground = false;   // the legend's texts stand on the background's colour, so that no cord crosses them
   bool fast_smoothing = false;  // FXAA, for windows; files are better smoothed by supersampling
   bool transparent_background = false;  // the picture's alpha tells where something is drawn

@@ -291,6 +291,12 @@ inline constexpr auto kEngineSentences = std::to_array<const char*>({
     QT_TRANSLATE_NOOP("engine", "a recording"),
     QT_TRANSLATE_NOOP("engine", "a scenario"),
 
+    // The legend of colours.
+    QT_TRANSLATE_NOOP("engine", "tension, N"),
+    QT_TRANSLATE_NOOP("engine", "strain, µm/m"),
+    QT_TRANSLATE_NOOP("engine", "speed, m/s"),
+    QT_TRANSLATE_NOOP("engine", "contact force, N"),
+
     // Figures.
     QT_TRANSLATE_NOOP("engine", "Time (s)"),
     QT_TRANSLATE_NOOP("engine", "Time *t* (s)"),

@@ -1710,6 +1710,22 @@
         <source>falling %1</source>
         <translation>降斜绳 %1</translation>
     </message>
+    <message>
+        <source>tension, N</source>
+        <translation>张力，N</translation>
+    </message>
+    <message>
+        <source>strain, µm/m</source>
+        <translation>应变，µm/m</translation>
+    </message>
+    <message>
+        <source>speed, m/s</source>
+        <translation>速率，m/s</translation>
+    </message>
+    <message>
+        <source>contact force, N</source>
+        <translation>接触力，N</translation>
+    </message>
 </context>
 <context>
     <name>netpocket::AboutDialog</name>
