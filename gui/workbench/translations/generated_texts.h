@@ -1,7 +1,7 @@
 #pragma once
-// Texts of parameters, findings and scenarios, for lupdate; nothing includes this. Made from their tables:
-// NETPOCKET_RENEW=1 build/tests/test_workbench --gtest_filter='Translations.*' writes it anew.
 // clang-format off
+// Texts of parameters, findings and scenarios, for lupdate; nothing includes this. Made from their
+// tables: NETPOCKET_RENEW=1 build/tests/test_workbench --gtest_filter='Translations.*' writes it anew.
 
 #include <QCoreApplication>
 

@@ -1,7 +1,7 @@
 #pragma once
-// Names of parameters that mean something else in each table, for lupdate; nothing includes this. Made from their tables:
-// NETPOCKET_RENEW=1 build/tests/test_workbench --gtest_filter='Translations.*' writes it anew.
 // clang-format off
+// Names of parameters that mean something else in each table, for lupdate; nothing includes this. Made from their
+// tables: NETPOCKET_RENEW=1 build/tests/test_workbench --gtest_filter='Translations.*' writes it anew.
 
 #include <QCoreApplication>
 

@@ -52,9 +52,9 @@ class TextList {
   static std::string header(const char* what, const char* name, const std::string& list) {
     return fmt::format(
         "#pragma once\n"
-        "// {}, for lupdate; nothing includes this. Made from their tables:\n"
-        "// NETPOCKET_RENEW=1 build/tests/test_workbench --gtest_filter='Translations.*' writes it anew.\n"
-        "// clang-format off\n\n"
+        "// clang-format off\n"
+        "// {}, for lupdate; nothing includes this. Made from their\n"
+        "// tables: NETPOCKET_RENEW=1 build/tests/test_workbench --gtest_filter='Translations.*' writes it anew.\n\n"
         "#include <QCoreApplication>\n\n"
         "namespace netpocket {{\n\n"
         "inline constexpr const char* {} = {{\n{}}};\n\n}}  // namespace netpocket\n",
