@@ -23,8 +23,8 @@ Action declare_workbench(CLI::App& app) {
                  "threads of a simulation; the result is the same for any number (default: as in the preferences)")
       ->type_name("N")
       ->check(whole_number(1, 256));
-  // For looking at the window in tests: not in the help.
-  app.add_option("--screenshot", options->screenshot)->group("");
+  app.add_option("--screenshot", options->screenshot, "save a picture of the window (PNG) once it shows FILE, and end")
+      ->type_name("PNG");
   app.footer(R"(Needs a display; QT_QPA_PLATFORM=offscreen works without one.
 
 Examples:

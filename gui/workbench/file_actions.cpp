@@ -1,6 +1,7 @@
 #include "gui/workbench/file_actions.h"
 
 #include <QAction>
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
@@ -11,6 +12,7 @@
 #include "gui/workbench/editor/presets.h"
 #include "gui/workbench/panels/ask_for_file.h"
 #include "gui/workbench/panels/engine_words.h"
+#include "gui/workbench/preferences.h"
 
 namespace netpocket {
 namespace {
@@ -88,7 +90,8 @@ void FileActions::new_scenario() {
 }
 
 void FileActions::ask_to_open() {
-  const QString folder = document_.path().isEmpty() ? QString() : QFileInfo(document_.path()).path();
+  const QString folder = document_.path().isEmpty() ? read_preferences(settings_).folder_for_new_files()
+                                                    : QFileInfo(document_.path()).path();
   const QString path = QFileDialog::getOpenFileName(
       window_, tr("Open"), folder, tr("Scenarios and recordings (*.toml *.h5);;Scenarios (*.toml);;Recordings (*.h5)"));
   if (!path.isEmpty()) emit open_requested(path);
@@ -112,8 +115,10 @@ bool FileActions::save() {
 }
 
 bool FileActions::save_as() {
-  const QString name =
-      document_.path().isEmpty() ? QString::fromStdString(document_.scenario().name) + ".toml" : document_.path();
+  const QDir folder(read_preferences(settings_).folder_for_new_files());
+  const QString name = document_.path().isEmpty()
+                           ? folder.filePath(QString::fromStdString(document_.scenario().name) + ".toml")
+                           : document_.path();
   const QString path = ask_for_path(window_, {tr("Save scenario"), name, tr("Scenarios (*.toml)"), "toml"});
   if (path.isEmpty()) return false;
   const auto refusal = document_.save_as(path);

@@ -23,6 +23,7 @@
 #include "gui/workbench/editor/text_page.h"
 #include "gui/workbench/export/export_tray.h"
 #include "gui/workbench/file_actions.h"
+#include "gui/workbench/filming/film_actions.h"
 #include "gui/workbench/findings_updater.h"
 #include "gui/workbench/lost_runs_bar.h"
 #include "gui/workbench/panels/engine_words.h"
@@ -30,6 +31,8 @@
 #include "gui/workbench/panels/plots_panel.h"
 #include "gui/workbench/picked_plot.h"
 #include "gui/workbench/placement_actions.h"
+#include "gui/workbench/presentation/headline.h"
+#include "gui/workbench/presentation/presentation.h"
 #include "gui/workbench/run_actions.h"
 #include "gui/workbench/run_file_actions.h"
 #include "gui/workbench/run_status_bar.h"
@@ -83,6 +86,11 @@ SessionOptions session_options(const WindowOptions& options, const Preferences& 
   return session;
 }
 
+void use_look(const Preferences& preferences) {
+  use_theme(preferences.theme);
+  use_type_size(preferences.type_size);
+}
+
 }  // namespace
 
 MainWindow::MainWindow(const WindowOptions& options)
@@ -91,6 +99,7 @@ MainWindow::MainWindow(const WindowOptions& options)
       document_(std::make_unique<ScenarioDocument>(recovery_folder(options))),
       preview_(std::make_unique<PreviewBuilder>()),
       presenter_(options.presenter.value_or(read_preferences(*settings_).presenter)) {
+  use_look(read_preferences(*settings_));
   setAcceptDrops(true);
   QApplication::instance()->installEventFilter(this);
   setDockNestingEnabled(true);
@@ -100,6 +109,8 @@ MainWindow::MainWindow(const WindowOptions& options)
   setStatusBar(status_);
   exports_ = new ExportTray;
   status_->addWidget(exports_);
+  make_filming();
+  make_presentation();
   make_menus(options);
   make_start();
   connect_document();
@@ -117,6 +128,7 @@ MainWindow::~MainWindow() {
   findings_updater_.reset();
   preview_.reset();
   session_->disconnect(this);
+  document_->disconnect(this);
   delete takeCentralWidget();
   for (auto* dock : findChildren<QDockWidget*>()) delete dock;
 }
@@ -212,8 +224,9 @@ void MainWindow::connect_panels() {
     const bool known = !result.findings.empty();
     // A run that goes on may still capture the target.
     const bool open = !known || (result.running && result.captured != Verdict::yes);
-    findings_->set_capture(open ? Verdict::unknown : result.captured,
-                           QString::fromStdString(known ? result.why_not : result.failure));
+    const Verdict captured = open ? Verdict::unknown : result.captured;
+    findings_->set_capture(captured, QString::fromStdString(known ? result.why_not : result.failure));
+    headline_->set_capture(captured);
   });
 }
 
@@ -250,6 +263,7 @@ void MainWindow::ask_for_preferences() {
 
 void MainWindow::apply_preferences(const Preferences& preferences) {
   write_preferences(preferences, *settings_);
+  use_look(preferences);
   session_->runs().set_cache_bytes(preferences.cache_bytes());
   session_->set_threads(preferences.threads);
 }
@@ -316,7 +330,13 @@ void MainWindow::show_frame(const std::shared_ptr<const Snapshot>& snapshot) {
   if (second_view_) second_view_->refresh();
   plots_->set_time(snapshot->time);
   control_->show_frame(run->structure, snapshot);
+  show_numbers();
+}
+
+void MainWindow::show_numbers() {
+  const Run* run = session_->current();
   status_->show_run(run, session_->shown_index());
+  headline_->show_run(run, session_->shown_index(), document_->display_name());
 }
 
 void MainWindow::set_moving(bool moving) {
@@ -361,7 +381,7 @@ void MainWindow::plot_pick(RunId id, const Pick& pick) {
 
 void MainWindow::run_changed() {
   const Run* run = session_->current();
-  status_->show_run(run, session_->shown_index());
+  show_numbers();
   editor_->set_running(session_->live() ? &session_->live()->scenario : nullptr);
   control_->set_running(session_->live() ? &session_->live()->scenario : nullptr);
   findings_updater_->request();
@@ -390,6 +410,7 @@ void MainWindow::strategy_answered(RunId id, const Diagnostics& refused, double 
 void MainWindow::update_title() {
   setWindowModified(document_->is_modified());
   setWindowTitle(tr("%1[*] – Netpocket").arg(document_->display_name()));
+  show_numbers();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
@@ -398,6 +419,11 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     event->ignore();
     return;
   }
+  if (!film_actions_->may_close()) {
+    event->ignore();
+    return;
+  }
+  presentation_->set_on(false);
   settings_->setValue(kGeometryKey, saveGeometry());
   settings_->setValue(kLayoutKey, saveState(kLayoutVersion));
   event->accept();

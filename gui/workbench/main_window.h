@@ -23,14 +23,17 @@ class ControlPanel;
 class EditActions;
 class ExportTray;
 class FileActions;
+class FilmActions;
 enum class GuideStep;
 class FindingsPanel;
 class FindingsUpdater;
 class FirstCapture;
+class Headline;
 class LostRunsBar;
 class MessageBar;
 class PickedPlot;
 class PlotsPanel;
+class Presentation;
 class RunActions;
 class RunFileActions;
 class RunStatusBar;
@@ -62,6 +65,8 @@ class MainWindow : public QMainWindow {
   void open(const QString& path);
   // Ways to begin, over the whole window until something is opened.
   void show_start_page();
+  // The start page or the file used last, as the preferences say.
+  void begin();
   // Whether it asks about work that a crashed session has left.
   bool offers_recovery() const;
   // Opens case 1 and leads through its capture.
@@ -83,6 +88,9 @@ class MainWindow : public QMainWindow {
   ViewActions& view_actions() { return *view_actions_; }
   LostRunsBar& lost_runs() { return *lost_runs_; }
   ExportTray& exports() { return *exports_; }
+  FilmActions& film_actions() { return *film_actions_; }
+  Presentation& presentation() { return *presentation_; }
+  Headline& headline() { return *headline_; }
   StartPage& start_page() { return *start_page_; }
   FirstCapture& first_capture() { return *first_capture_; }
   // Null until it is shown for the first time.
@@ -110,6 +118,11 @@ class MainWindow : public QMainWindow {
   void fill_panels(QMenu& menu);
   void make_help(QMenu& menu, const QString& about);
   void make_start();
+  void make_filming();
+  void make_presentation();
+  void show_numbers();
+  // Beside the scenario, or where the preferences say.
+  QString default_folder() const;
   void show_guided_place(GuideStep step);
   void connect_document();
   void connect_session();
@@ -159,6 +172,9 @@ class MainWindow : public QMainWindow {
   FileActions* file_actions_ = nullptr;
   RunFileActions* run_files_ = nullptr;
   ExportTray* exports_ = nullptr;
+  FilmActions* film_actions_ = nullptr;
+  Headline* headline_ = nullptr;
+  Presentation* presentation_ = nullptr;
   StartPage* start_page_ = nullptr;
   FirstCapture* first_capture_ = nullptr;
   bool scenario_notice_ = false;

@@ -15,14 +15,20 @@
 #include "gui/workbench/edit_actions.h"
 #include "gui/workbench/editor/scenario_editor.h"
 #include "gui/workbench/file_actions.h"
+#include "gui/workbench/filming/film_actions.h"
+#include "gui/workbench/filming/film_indicator.h"
 #include "gui/workbench/findings_updater.h"
 #include "gui/workbench/lost_runs_bar.h"
 #include "gui/workbench/main_window.h"
 #include "gui/workbench/panels/findings_panel.h"
 #include "gui/workbench/panels/plots_panel.h"
+#include "gui/workbench/presentation/headline.h"
+#include "gui/workbench/presentation/presentation.h"
 #include "gui/workbench/run_actions.h"
 #include "gui/workbench/run_file_actions.h"
+#include "gui/workbench/run_status_bar.h"
 #include "gui/workbench/runs_panel.h"
+#include "gui/workbench/start/start_page.h"
 #include "gui/workbench/timeline/timeline_bar.h"
 #include "gui/workbench/view_actions.h"
 #include "gui/workbench/viewport/viewport.h"
@@ -56,6 +62,8 @@ QWidget* MainWindow::make_center(const QString& run_folder) {
   auto* layout = new QVBoxLayout(center);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
+  headline_ = new Headline;
+  layout->addWidget(headline_);
   layout->addWidget(lost_runs_);
   layout->addWidget(notice_);
   layout->addWidget(views_, 1);
@@ -90,6 +98,33 @@ void MainWindow::make_docks() {
   resizeDocks({plots, findings}, {3, 2}, Qt::Vertical);
 }
 
+QString MainWindow::default_folder() const {
+  const QString path = document_->path();
+  return path.isEmpty() ? read_preferences(*settings_).folder_for_new_files() : QFileInfo(path).path();
+}
+
+void MainWindow::make_filming() {
+  const auto stem = [this] {
+    const QString name = QFileInfo(document_->path()).completeBaseName();
+    return QDir(default_folder()).filePath(name.isEmpty() ? "netpocket" : name);
+  };
+  film_actions_ = new FilmActions(this, {stem, [this] { return read_preferences(*settings_).film_rate; }});
+  // Permanent, so that messages do not hide it; after the exports, before the numbers.
+  status_->insertPermanentWidget(1, new FilmIndicator(film_actions_->film()));
+  connect(film_actions_, &FilmActions::problem, this, &MainWindow::show_notice);
+  connect(film_actions_, &FilmActions::told, this, [this](const QString& text) { status_->showMessage(text, 10000); });
+  connect(film_actions_, &FilmActions::close_window, this, &QWidget::close);
+}
+
+void MainWindow::make_presentation() {
+  presentation_ = new Presentation(*this, *headline_, *viewport_);
+  headline_->add_corner(new FilmIndicator(film_actions_->film()));
+  connect(presentation_, &Presentation::changed, this, [this](bool on, double scale) {
+    if (on) start_page_->close_page();
+    view_actions_->set_annotation_scale(scale);
+  });
+}
+
 void MainWindow::make_menus(const WindowOptions& options) {
   auto* bar = addToolBar(tr("Toolbar"));
   bar->setObjectName("toolbar");
@@ -106,11 +141,11 @@ void MainWindow::make_menus(const WindowOptions& options) {
   file_actions_ = new FileActions(*document_, *settings_, this);
   file_actions_->fill(*file, *bar);
   file->addSeparator();
-  const auto folder = [this] {
-    return document_->path().isEmpty() ? QDir::homePath() : QFileInfo(document_->path()).path();
-  };
-  run_files_ = new RunFileActions(*session_, *viewport_, *exports_, options.program, folder, this);
+  run_files_ = new RunFileActions(
+      *session_, *viewport_, *exports_,
+      {options.program, [this] { return default_folder(); }, [this] { return read_preferences(*settings_); }}, this);
   run_files_->fill(*file);
+  film_actions_->fill(*file);
   file->addSeparator();
   auto* quit = file->addAction(tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), this, &QWidget::close);
   quit->setMenuRole(QAction::QuitRole);
@@ -124,7 +159,7 @@ void MainWindow::make_menus(const WindowOptions& options) {
   edit->addSeparator();
   auto* preferences = edit->addAction(tr("Preferences…"), QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_P), this,
                                       &MainWindow::ask_for_preferences);
-  preferences->setStatusTip(tr("Memory, threads, drawing"));
+  preferences->setStatusTip(tr("Type size, colours, folders, pictures, memory, drawing"));
   preferences->setMenuRole(QAction::PreferencesRole);
 
   bar->addSeparator();
@@ -144,6 +179,7 @@ void MainWindow::make_menus(const WindowOptions& options) {
                                [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
   full->setStatusTip(tr("Use the whole screen"));
 
+  presentation_->fill(*view);
   make_help(*help, options.about);
 }
 

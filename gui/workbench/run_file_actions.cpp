@@ -32,14 +32,13 @@ QString unused_path(const QString& folder, const QString& name, QSet<QString>& t
 
 }  // namespace
 
-RunFileActions::RunFileActions(CaptureSession& session, Viewport& viewport, ExportTray& tray, const QString& program,
-                               std::function<QString()> folder, QWidget* window)
+RunFileActions::RunFileActions(CaptureSession& session, Viewport& viewport, ExportTray& tray, Choices choices,
+                               QWidget* window)
     : QObject(window),
       session_(session),
       viewport_(viewport),
       tray_(tray),
-      program_(program),
-      folder_(std::move(folder)),
+      choices_(std::move(choices)),
       window_(window) {
   connect(&session_.runs(), &RunLibrary::saved, this, &RunFileActions::run_saved);
   connect(&session_.runs(), &RunLibrary::failed, this, [this] { closing_ = false; });
@@ -61,7 +60,7 @@ void RunFileActions::save_shown() {
     return;
   }
   const RunId id = run->id;
-  const QString name = QDir(folder_()).filePath(run->name + ".h5");
+  const QString name = QDir(choices_.folder()).filePath(run->name + ".h5");
   const QString path = ask_for_path(window_, {tr("Save run"), name, tr("Recordings (*.h5)"), "h5"});
   if (path.isEmpty()) return;
   emit file_used(path);
@@ -75,7 +74,9 @@ void RunFileActions::ask_for_export() {
     return;
   }
   const double time = viewport_.state().snapshot ? viewport_.state().snapshot->time : 0;
-  ExportDialog dialog(folder_(), run->name, {viewport_.view(), viewport_.options(), time}, window_);
+  ExportDialog dialog(choices_.folder(), run->name, {viewport_.view(), viewport_.options(), time}, window_);
+  const Preferences preferences = choices_.preferences();
+  dialog.propose(preferences.export_size, preferences.export_rate);
   if (dialog.exec() == QDialog::Accepted) export_as(dialog);
 }
 
@@ -99,7 +100,7 @@ void RunFileActions::export_run(const std::function<QStringList(const QString& r
   if (run == nullptr) return;
   const QStringList command = arguments(QString::fromStdString(run->file->path()));
   session_.runs().flush(run->id, [this, command, label, result](const QString&) {
-    tray_.add(std::make_unique<ExportJob>(program_, command, label, result));
+    tray_.add(std::make_unique<ExportJob>(choices_.program, command, label, result));
   });
 }
 
@@ -125,7 +126,7 @@ bool RunFileActions::may_close() {
   box.setDefaultButton(QMessageBox::Save);
   const int answer = box.exec();
   if (answer != QMessageBox::Save) return answer == QMessageBox::Discard;
-  const QString folder = QFileDialog::getExistingDirectory(window_, tr("Save runs in"), folder_());
+  const QString folder = QFileDialog::getExistingDirectory(window_, tr("Save runs in"), choices_.folder());
   if (folder.isEmpty()) return false;
   closing_ = true;
   save_unsaved_to(folder);

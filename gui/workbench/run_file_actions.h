@@ -6,6 +6,7 @@
 #include <QTemporaryDir>
 #include <functional>
 
+#include "gui/workbench/preferences.h"
 #include "gui/workbench/session/capture_session.h"
 #include "gui/workbench/viewport/viewport.h"
 
@@ -19,9 +20,14 @@ class ExportTray;
 class RunFileActions : public QObject {
   Q_OBJECT
  public:
-  // `program`: makes the exports; `folder` gives where to propose to write. All must outlive the actions.
-  RunFileActions(CaptureSession& session, Viewport& viewport, ExportTray& tray, const QString& program,
-                 std::function<QString()> folder, QWidget* window);
+  struct Choices {
+    QString program;                           // makes the exports
+    std::function<QString()> folder;           // where to propose to write
+    std::function<Preferences()> preferences;  // that say what is proposed
+  };
+
+  // All must outlive the actions.
+  RunFileActions(CaptureSession& session, Viewport& viewport, ExportTray& tray, Choices choices, QWidget* window);
 
   void fill(QMenu& menu);
   void ask_for_export();
@@ -52,8 +58,7 @@ class RunFileActions : public QObject {
   CaptureSession& session_;
   Viewport& viewport_;
   ExportTray& tray_;
-  QString program_;
-  std::function<QString()> folder_;
+  Choices choices_;
   QWidget* window_;
   QTemporaryDir views_;  // view files of exports
   int view_count_ = 0;

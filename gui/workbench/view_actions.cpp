@@ -18,6 +18,7 @@ namespace netpocket {
 namespace {
 
 constexpr int kSavedCameras = 4;
+constexpr double kAnnotationScale = 0.9;
 
 QString key_of(int slot) { return QString("view/camera%1").arg(slot); }
 
@@ -43,7 +44,7 @@ ViewActions::ViewActions(Viewport& viewport, QSettings& settings, QWidget* windo
     : QObject(window), viewport_(viewport), settings_(settings) {
   options_.color_by = static_cast<ColorBy>(std::clamp(settings.value("view/color_by", 0).toInt(), 0, 4));
   ground_ = static_cast<Ground>(std::clamp(settings.value("view/ground", 0).toInt(), 0, 2));
-  options_.annotation_scale = 0.9;
+  options_.annotation_scale = kAnnotationScale;
   options_.legend_ground = true;
   options_.fast_smoothing = true;
   apply();
@@ -219,6 +220,11 @@ void ViewActions::set_phases(const std::vector<Phase>& phases) {
   for (Phase& phase : shown) phase.name = engine_words(phase.name).toStdString();
   if (shown == options_.phases) return;
   options_.phases = std::move(shown);
+  apply();
+}
+
+void ViewActions::set_annotation_scale(double scale) {
+  options_.annotation_scale = kAnnotationScale * scale;
   apply();
 }
 

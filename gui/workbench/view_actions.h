@@ -21,6 +21,8 @@ class ViewActions : public QObject {
   void fill(QMenu& menu, QToolBar& bar);
   // Puts what the run brings along into the options, e.g. the times of its phases.
   void set_phases(const std::vector<Phase>& phases);
+  // Of labels, legend, scale bar and axes, against the usual size.
+  void set_annotation_scale(double scale);
   // Light or dark of the window has changed.
   void follow_theme();
   const SceneOptions& options() const { return options_; }

@@ -9,6 +9,9 @@
 #include <cstdlib>
 #include <memory>
 
+#include "engine/base/file_error.h"
+#include "gui/workbench/filming/film_actions.h"
+#include "gui/workbench/filming/window_picture.h"
 #include "gui/workbench/language.h"
 #include "gui/workbench/main_window.h"
 #include "gui/workbench/panels/window_fonts.h"
@@ -103,16 +106,18 @@ void check_screen() {
   }
 }
 
-// Saves the window once its first picture has been there for a moment.
-void take_screenshot(MainWindow& window, const QString& path) {
+// Saves the window once its first picture has been there for a moment, and ends. `failure`: why it could not.
+void take_screenshot(MainWindow& window, const QString& path, std::string& failure) {
   auto* timer = new QTimer(&window);
   timer->setSingleShot(true);
   timer->setInterval(1000);
   QObject::connect(&window.viewport(), &Viewport::picture_shown, timer, [timer] {
     if (!timer->isActive()) timer->start();
   });
-  QObject::connect(timer, &QTimer::timeout, &window,
-                   [&window, path] { QApplication::exit(window.grab().save(path) ? 0 : 1); });
+  QObject::connect(timer, &QTimer::timeout, &window, [&window, path, &failure] {
+    failure = window.film_actions().save_picture(window_picture(window), path).value_or(QString()).toStdString();
+    QApplication::quit();
+  });
 }
 
 }  // namespace
@@ -159,12 +164,15 @@ int run_workbench(const WorkbenchOptions& options) {
   if (!options.file.empty()) {
     window.open(QString::fromStdString(options.file));
   } else if (!window.offers_recovery()) {
-    window.show_start_page();
+    window.begin();
   }
   if (!language_notice.isEmpty()) window.show_notice(language_notice);
-  if (!options.screenshot.empty()) take_screenshot(window, QString::fromStdString(options.screenshot));
+  std::string failure;
+  if (!options.screenshot.empty()) take_screenshot(window, QString::fromStdString(options.screenshot), failure);
   window.show();
-  return QApplication::exec();
+  const int status = QApplication::exec();
+  if (!failure.empty()) throw FileError(failure);
+  return status;
 }
 
 }  // namespace netpocket

@@ -29,8 +29,8 @@ class NoDisplay : public std::runtime_error {
 // Whether there is anywhere to show a window.
 bool can_open_window();
 
-// Shows the window and returns when it was closed: 0, or 1 when a screenshot was wanted and could not be written.
-// Throws NoDisplay, and RenderError when a font is not installed.
+// Shows the window and returns when it was closed.
+// Throws NoDisplay, RenderError when a font is not installed, and FileError when the screenshot cannot be written.
 int run_workbench(const WorkbenchOptions& options);
 
 }  // namespace netpocket

@@ -23,6 +23,15 @@ class BoundedQueue {
     return true;
   }
 
+  // Never waits: false, and the value is dropped, while the queue is full or once it is closed.
+  bool try_push(T value) {
+    const std::lock_guard lock(mutex_);
+    if (closed_ || values_.size() >= capacity_) return false;
+    values_.push_back(std::move(value));
+    changed_.notify_all();
+    return true;
+  }
+
   // Waits for a value; none when the queue is closed and empty.
   std::optional<T> pop() {
     std::unique_lock lock(mutex_);

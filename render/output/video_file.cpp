@@ -5,6 +5,7 @@
 #include <signal.h>
 #include <spawn.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -22,7 +23,8 @@
 namespace netpocket {
 namespace {
 
-std::vector<std::string> ffmpeg_arguments(int width, int height, double frames_per_second, const std::string& path) {
+std::vector<std::string> ffmpeg_arguments(int width, int height, double frames_per_second, VideoEffort effort,
+                                          const std::string& path) {
   // The matrix is named because players guess it from the picture's size.
   const std::string filter = "scale=out_color_matrix=bt709:out_range=tv,pad=ceil(iw/2)*2:ceil(ih/2)*2:0:0:white";
   return {"ffmpeg",
@@ -44,7 +46,7 @@ std::vector<std::string> ffmpeg_arguments(int width, int height, double frames_p
           "-c:v",
           "libx264",
           "-preset",
-          "medium",
+          effort == VideoEffort::live ? "veryfast" : "medium",
           "-crf",
           "18",
           "-pix_fmt",
@@ -91,14 +93,17 @@ const char* reason_to_fail(const std::string& line) {
 
 }  // namespace
 
-VideoFile::VideoFile(const std::string& path, int width, int height, double frames_per_second)
+VideoFile::VideoFile(const std::string& path, int width, int height, double frames_per_second, VideoEffort effort)
     : file_(path, FileKind::video), bytes_(nullptr), width_(width), height_(height) {
-  start(ffmpeg_arguments(width, height, frames_per_second, file_.temporary_path()));
+  start(ffmpeg_arguments(width, height, frames_per_second, effort, file_.temporary_path()));
+  // What is shown meanwhile comes first.
+  constexpr int kPolite = 10;
+  if (effort == VideoEffort::live) setpriority(PRIO_PROCESS, static_cast<id_t>(process_), kPolite);
 }
 
 VideoFile::VideoFile(const std::string& page, std::string& bytes, int width, int height, double frames_per_second)
     : file_(page, FileKind::html), bytes_(&bytes), width_(width), height_(height) {
-  start(ffmpeg_arguments(width, height, frames_per_second, file_.temporary_path()));
+  start(ffmpeg_arguments(width, height, frames_per_second, VideoEffort::thorough, file_.temporary_path()));
 }
 
 VideoFile::~VideoFile() {

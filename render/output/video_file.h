@@ -12,10 +12,14 @@
 
 namespace netpocket {
 
+// Small files, or as quickly as pictures of a screen come while other things go on.
+enum class VideoEffort { thorough, live };
+
 class VideoFile {
  public:
   // Pictures are width x height pixels; odd sizes get a line of background, since the format wants even ones.
-  VideoFile(const std::string& path, int width, int height, double frames_per_second);
+  VideoFile(const std::string& path, int width, int height, double frames_per_second,
+            VideoEffort effort = VideoEffort::thorough);
   // The video as a part of the HTML page `page`, in whose folder ffmpeg writes a temporary file; finish() fills
   // `bytes`.
   VideoFile(const std::string& page, std::string& bytes, int width, int height, double frames_per_second);

@@ -16,6 +16,8 @@
 
 #include "engine/capture/simulation.h"
 #include "engine/scenario/read_scenario.h"
+#include "gui/workbench/filming/film_actions.h"
+#include "gui/workbench/filming/window_picture.h"
 #include "gui/workbench/main_window.h"
 #include "gui/workbench/panels/plots_panel.h"
 #include "gui/workbench/run_actions.h"
@@ -120,7 +122,8 @@ class Bench {
   void run() {
     measure_start();
     measure_preview();
-    measure_running();
+    measure_running("while it runs at full speed");
+    measure_filming();
     measure_plots();
     measure_scrubbing();
   }
@@ -178,7 +181,7 @@ class Bench {
     window_->document().start_from(scenario_);
   }
 
-  void measure_running() {
+  void measure_running(const char* when) {
     Samples starting, running;
     application_.forget();
     {
@@ -204,7 +207,7 @@ class Bench {
       running_for = std::max<qint64>(timer.elapsed(), 1);
     }
     QObject::disconnect(count);
-    running.print("event loop late, while it runs at full speed", 50);
+    running.print(fmt::format("event loop late, {}", when).c_str(), 50);
     application_.print(6);
     const double last_time = live->end_time(), seconds = 1e-3 * static_cast<double>(running_for);
     const std::size_t frames = live->frame_count() - first_frame;
@@ -213,6 +216,32 @@ class Bench {
     fmt::print("    {} frames, {:.1f} pictures a second, {:.2f} x real time: {:.0f} % of the speed without a window\n",
                frames, static_cast<double>(pictures) / seconds, (last_time - first_time) / seconds,
                100 * seconds_without_window(first_time, last_time) / seconds);
+  }
+
+  // The same while the window is recorded as a video; what one picture of it costs.
+  void measure_filming() {
+    Samples frame, picture;
+    for (int i = 0; i < 50; ++i) {
+      const double start = thread_milliseconds();
+      (void)window_frame(*window_);
+      frame.add(thread_milliseconds() - start);
+    }
+    for (int i = 0; i < 9; ++i) {
+      const double start = thread_milliseconds();
+      (void)window_picture(*window_);
+      picture.add(thread_milliseconds() - start);
+    }
+    frame.print("processor time of a picture for a video", 10);
+    picture.print("processor time of a picture to save", 500);
+    WindowFilm& film = window_->film_actions().film();
+    QObject::connect(&film, &WindowFilm::stopped, [](const QString&, double seconds, const QString&) {
+      fmt::print("    recorded {:.1f} s\n", seconds);
+    });
+    film.start(folder_.filePath("film.mp4"), 25);
+    measure_running("while it runs and is recorded");
+    fmt::print("    {} pictures left out\n", film.left_out());
+    film.stop();
+    wait_until([&] { return !film.is_active(); });
   }
 
   // s, of the engine alone for the same part of the run, in the same process.

@@ -7,6 +7,8 @@
 
 class QCheckBox;
 class QComboBox;
+class QDoubleSpinBox;
+class QLineEdit;
 class QSpinBox;
 
 namespace netpocket {
@@ -21,7 +23,17 @@ class PreferencesDialog : public QDialog {
 
  private:
   void fill(const Preferences& preferences);
+  QWidget* make_window_page();
+  QWidget* make_pictures_page();
+  void browse();
 
+  QComboBox* type_size_;
+  QComboBox* theme_;
+  QComboBox* beginning_;
+  QLineEdit* folder_;
+  QComboBox* export_size_;
+  QDoubleSpinBox* export_rate_;
+  QComboBox* film_rate_;
   QSpinBox* cache_;
   QSpinBox* threads_;
   QComboBox* presenter_;

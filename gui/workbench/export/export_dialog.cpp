@@ -100,6 +100,7 @@ ExportDialog::ExportDialog(const QString& folder, const QString& name, const Sho
   connect(target_, &QLineEdit::textChanged, this, [this](const QString& text) {
     buttons_->button(QDialogButtonBox::Ok)->setEnabled(!text.trimmed().isEmpty());
   });
+  target_->setAccessibleName(tr("File or folder to export to"));
   kind_changed();
   setMinimumWidth(460);
 }
@@ -114,6 +115,13 @@ QWidget* ExportDialog::make_target_row() {
   layout->addWidget(target_, 1);
   layout->addWidget(browse_button);
   return row;
+}
+
+void ExportDialog::propose(const QSize& size, double rate) {
+  const QString value = QString("%1x%2").arg(size.width()).arg(size.height());
+  if (size_->findData(value) < 0) size_->addItem(QString(value).replace("x", QString::fromUtf8(" × ")), value);
+  size_->setCurrentIndex(size_->findData(value));
+  rate_->setValue(rate);
 }
 
 void ExportDialog::choose(ExportKind kind) { kind_->setCurrentIndex(static_cast<int>(kind)); }

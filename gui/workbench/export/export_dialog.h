@@ -31,6 +31,8 @@ class ExportDialog : public QDialog {
   // `folder`: where to propose to write; `name`: of the run.
   ExportDialog(const QString& folder, const QString& name, const ShownView& shown, QWidget* parent);
 
+  // Proposes a size (pixels) and pictures per simulated second.
+  void propose(const QSize& size, double rate);
   void choose(ExportKind kind);
   ExportKind kind() const;
   void set_target(const QString& path);

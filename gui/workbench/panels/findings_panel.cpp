@@ -47,6 +47,19 @@ FindingMark finding_mark(const FindingCase& finding_case, bool running) {
   return finding_case.verdict == Verdict::no && !running ? FindingMark::no : FindingMark::pending;
 }
 
+CaptureWords capture_words(Verdict captured) {
+  switch (captured) {
+    case Verdict::yes:
+      return {FindingsPanel::tr("Captured"), FindingsPanel::tr("Captured"), Tone::good};
+    case Verdict::no:
+      return {FindingsPanel::tr("Not captured"), FindingsPanel::tr("Not captured"), Tone::bad};
+    case Verdict::diverged:
+      return {FindingsPanel::tr("Diverged"), FindingsPanel::tr("Diverged"), Tone::bad};
+    default:
+      return {FindingsPanel::tr("Capture not decided yet"), FindingsPanel::tr("Undecided"), Tone::muted};
+  }
+}
+
 FindingsPanel::FindingsPanel(QWidget* parent)
     : QWidget(parent),
       capture_(new QLabel(this)),
@@ -75,6 +88,7 @@ FindingsPanel::FindingsPanel(QWidget* parent)
   table_->horizontalHeader()->setSectionResizeMode(kRun, QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setSectionResizeMode(kValue, QHeaderView::Stretch);
   table_->setColumnWidth(kMark, 30);
+  table_->setTabKeyNavigation(false);  // Tab goes on to what comes next
   table_->setWordWrap(true);
   table_->setShowGrid(false);
   table_->setFrameShape(QFrame::NoFrame);
@@ -117,18 +131,7 @@ void FindingsPanel::set_capture(Verdict captured, const QString& detail) {
 }
 
 void FindingsPanel::show_capture() {
-  QString headline = tr("Capture not decided yet");
-  Tone tone = Tone::muted;
-  if (captured_ == Verdict::yes) {
-    headline = tr("Captured");
-    tone = Tone::good;
-  } else if (captured_ == Verdict::no) {
-    headline = tr("Not captured");
-    tone = Tone::bad;
-  } else if (captured_ == Verdict::diverged) {
-    headline = tr("Diverged");
-    tone = Tone::bad;
-  }
+  const auto [headline, brief, tone] = capture_words(captured_);
   const QString detail = capture_detail_.isEmpty() ? QString() : ": " + engine_words(capture_detail_).toHtmlEscaped();
   capture_->setText("<b>" + headline + "</b>" + detail);
   QPalette colours = palette();

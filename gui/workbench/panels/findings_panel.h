@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/analysis/summary.h"
+#include "gui/workbench/panels/tones.h"
 
 class QLabel;
 class QTableWidget;
@@ -19,6 +20,14 @@ enum class FindingMark { yes, no, pending };
 
 // Pending: there is no judgement (verdict.h), or it does not hold yet in a run that goes on.
 FindingMark finding_mark(const FindingCase& finding_case, bool running);
+
+// The headline of a capture and the colour of its meaning.
+struct CaptureWords {
+  QString text;
+  QString brief;  // where it stands under "target"
+  Tone tone;
+};
+CaptureWords capture_words(Verdict captured);
 
 class FindingsPanel : public QWidget {
   Q_OBJECT

@@ -2,6 +2,7 @@
 
 #include <QBoxLayout>
 #include <QDockWidget>
+#include <QFileInfo>
 #include <QSplitter>
 
 #include "gui/workbench/editor/scenario_editor.h"
@@ -46,6 +47,16 @@ void MainWindow::make_start() {
 void MainWindow::show_start_page() {
   start_page_->set_recent(file_actions_->recent());
   start_page_->open_page();
+}
+
+void MainWindow::begin() {
+  const Beginning beginning = read_preferences(*settings_).beginning;
+  const QString last = file_actions_->recent().value(0);
+  if (beginning == Beginning::last_file && QFileInfo::exists(last)) {
+    open(last);
+  } else if (beginning != Beginning::empty) {
+    show_start_page();
+  }
 }
 
 bool MainWindow::offers_recovery() const { return !editor_->recovery_bar()->isHidden() || !lost_runs_->isHidden(); }

@@ -2,10 +2,12 @@
 
 #include <QAction>
 #include <QComboBox>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -15,6 +17,7 @@ namespace {
 constexpr std::array kSpeeds = {0.05, 0.1, 0.25, 0.5, 1.0, 2.0, 5.0};
 constexpr int kNormalSpeed = 4;      // index of 1
 constexpr int kMarksInterval = 250;  // ms
+constexpr int kLeastIcon = 16;       // pixels
 
 }  // namespace
 
@@ -112,6 +115,14 @@ void TimelineBar::make_layout() {
   rows->setSpacing(0);
   rows->addWidget(strip_);
   rows->addLayout(layout);
+}
+
+// Symbols as large as letters.
+void TimelineBar::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() != QEvent::FontChange) return;
+  const int side = std::max(kLeastIcon, fontMetrics().height() + 1);
+  for (auto* button : findChildren<QToolButton*>()) button->setIconSize({side, side});
 }
 
 void TimelineBar::go_to(double time) {

@@ -34,6 +34,9 @@ class TimelineBar : public QWidget {
   void add_mark();
   void remove_mark();
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
   QAction* add_action(ActionIcon icon, const QString& text, const QKeySequence& key, const QString& help);
   void make_actions();

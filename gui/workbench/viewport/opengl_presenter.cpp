@@ -6,7 +6,7 @@
 #include <QOpenGLContext>
 #include <QOpenGLExtraFunctions>
 #include <QOpenGLFunctions>
-#include <cmath>
+#include <utility>
 
 #include "render/gl/gl_lookup.h"
 
@@ -47,6 +47,7 @@ void OpenGlPresenter::release() {
 
 void OpenGlPresenter::show(const ViewState& state) {
   state_ = state;
+  stale_ = true;
   update();
 }
 
@@ -54,6 +55,7 @@ void OpenGlPresenter::initializeGL() {
   // Moving the window to another screen may bring a new context.
   connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &OpenGlPresenter::release);
   try {
+    stale_ = true;
     choose_gl_lookup(nullptr);
     drawing_ = std::make_unique<SceneDrawing>(std::make_shared<WidgetHost>(*this));
     drawing_->window().OpenGLInitContext();
@@ -76,11 +78,13 @@ void OpenGlPresenter::paintGL() {
   state->Reset();
   state->Push();
   state->vtkglDepthFunc(GL_LEQUAL);  // what VTK expects; Qt leaves GL_LESS
-  const auto pixels = [this](int length) { return static_cast<int>(std::lround(length * devicePixelRatioF())); };
-  drawing_->draw(state_, pixels(width()), pixels(height()));
+  // A window that is repainted or grabbed for another reason gets the same picture again.
+  const QSize pixels = (QSizeF(size()) * devicePixelRatioF()).toSize();
+  const bool draws = std::exchange(stale_, false) || pixels != std::exchange(drawn_size_, pixels);
+  if (draws) drawing_->draw(state_, pixels.width(), pixels.height());
   copy_to_widget();
   state->Pop();
-  if (shown) shown(state_, 1e-9 * static_cast<double>(timer.nsecsElapsed()));
+  if (draws && shown) shown(state_, 1e-9 * static_cast<double>(timer.nsecsElapsed()));
 }
 
 void OpenGlPresenter::copy_to_widget() {

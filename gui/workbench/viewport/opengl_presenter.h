@@ -28,6 +28,8 @@ class OpenGlPresenter final : public QOpenGLWidget, public Presenter {
   void copy_to_widget();
 
   ViewState state_;
+  bool stale_ = true;  // whether the state has not been drawn yet
+  QSize drawn_size_;   // device pixels
   std::unique_ptr<SceneDrawing> drawing_;
   QString description_;
 };
