@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 #include <vector>
 
+#include "gui/workbench/panels/focus_frame.h"
 #include "gui/workbench/panels/tones.h"
 
 namespace netpocket {
@@ -132,6 +133,8 @@ ShortcutSheet::ShortcutSheet(const QMenuBar& menus, QWidget* parent) : QDialog(p
   scroll->setWidget(page);
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setAccessibleName(tr("All keys"));
+  new FocusFrame(scroll);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* layout = new QVBoxLayout(this);

@@ -22,6 +22,7 @@ constexpr int kStepPause = 700;  // ms without a step after which the next one i
 
 ParameterForm::ParameterForm(ScenarioDocument* document, QWidget* parent) : QScrollArea(parent), document_(document) {
   setWidgetResizable(true);
+  setFocusPolicy(Qt::NoFocus);  // its fields take the keys
   setFrameShape(QFrame::NoFrame);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   stepping_.setSingleShot(true);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/workbench/panels/focus_frame.h"
 #include "gui/workbench/panels/tones.h"
 
 namespace netpocket {
@@ -27,6 +28,7 @@ ChartView::ChartView(QWidget* parent) : QWidget(parent), placeholder_(tr("No dat
   setMouseTracking(true);
   setAttribute(Qt::WA_OpaquePaintEvent);
   setAccessibleName(tr("Chart"));
+  new FocusFrame(this);
 }
 
 void ChartView::set_figure(Figure figure) {

@@ -30,7 +30,7 @@ QColor tone_colour(Tone tone, const QPalette& palette) {
     case Tone::muted:
       break;
   }
-  return mixed(palette.color(QPalette::Text), palette.color(QPalette::Base), 0.38);
+  return mixed(palette.color(QPalette::Text), palette.color(QPalette::Base), 0.3);
 }
 
 QColor ground_colour(Tone tone, const QPalette& palette) {

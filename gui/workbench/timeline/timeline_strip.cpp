@@ -7,6 +7,8 @@
 #include <QToolTip>
 #include <cmath>
 
+#include "gui/workbench/panels/focus_frame.h"
+
 namespace netpocket {
 namespace {
 
@@ -14,6 +16,7 @@ constexpr double kMargin = 12;      // pixels, left and right of the track
 constexpr double kTrackTop = 18;    // pixels; marks stand above
 constexpr double kTrackHeight = 8;  // pixels
 constexpr double kCatchRadius = 5;  // pixels, of marks
+constexpr double kEdge = 3;         // pixels, beside the first and the last number
 constexpr double kShortestSpan = 1e-3;
 
 // 1, 2 or 5 times a power of ten, at least `smallest`.
@@ -53,6 +56,7 @@ TimelineStrip::TimelineStrip(QWidget* parent) : QWidget(parent) {
   setMouseTracking(true);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setAccessibleName(tr("Timeline"));
+  new FocusFrame(this);
 }
 
 QSize TimelineStrip::sizeHint() const {
@@ -125,7 +129,7 @@ void TimelineStrip::paint_ticks(QPainter& painter) const {
   for (int i = 0; i * step <= span() * (1 + 1e-9); ++i) {
     const QString label = QString("%1 s").arg(i * step, 0, 'g', 4);
     const int width = metrics.horizontalAdvance(label);
-    const double x = std::clamp(x_at(i * step) - width / 2.0, 0.0, static_cast<double>(this->width() - width));
+    const double x = std::clamp(x_at(i * step) - width / 2.0, kEdge, this->width() - width - kEdge);
     painter.drawText(QRectF(x, top, width + 1, metrics.height()), Qt::AlignCenter, label);
   }
 }

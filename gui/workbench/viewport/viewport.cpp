@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "gui/workbench/panels/focus_frame.h"
 #include "gui/workbench/viewport/pick_panel.h"
 #include "gui/workbench/viewport/viewport_overlay.h"
 #include "render/scene/visible_points.h"
@@ -43,6 +44,7 @@ Viewport::Viewport(PresenterKind kind, QWidget* parent)
       panel_(new PickPanel(this)) {
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(tr("Viewport"));
+  new FocusFrame(this);
   QWidget& screen = presenter_->widget();
   screen.setParent(this);
   screen.setAttribute(Qt::WA_TransparentForMouseEvents);
