@@ -37,6 +37,8 @@ void draw_lines(QPainter& painter, const QRect& space, const QString& text, int 
 
 CardDelegate::CardDelegate(const QSize& picture, QObject* parent) : QStyledItemDelegate(parent), picture_(picture) {}
 
+int CardDelegate::extra_width() { return 2 * kCardMargin; }
+
 QSize CardDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const {
   const int line = option.fontMetrics.height();
   if (!has_picture()) return {0, 2 * line + 2 * kCardPadding};

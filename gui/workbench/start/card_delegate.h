@@ -13,6 +13,9 @@ class CardDelegate : public QStyledItemDelegate {
 
   // Size of the picture, logical pixels; empty: there is none.
   explicit CardDelegate(const QSize& picture, QObject* parent = nullptr);
+  void set_picture_size(const QSize& picture) { picture_ = picture; }
+  // By how much a card with its margins is wider than its picture, pixels.
+  static int extra_width();
 
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
   QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;

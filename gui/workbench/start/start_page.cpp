@@ -10,7 +10,9 @@
 #include <QMainWindow>
 #include <QMenuBar>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "gui/workbench/editor/presets.h"
 #include "gui/workbench/panels/tones.h"
@@ -19,8 +21,9 @@
 namespace netpocket {
 namespace {
 
-constexpr QSize kPicture(224, 140);  // logical pixels
-constexpr int kWaysWidth = 270;
+constexpr QSize kPicture(224, 140);  // logical pixels, as drawn
+constexpr double kLeastWidth = 13;   // of a picture, in heights of a line
+constexpr int kWaysWidth = 18;       // of the column at the left, in heights of a line
 constexpr qsizetype kMostShown = 8;
 
 QLabel* make_heading(const QString& text, double scale) {
@@ -113,7 +116,7 @@ QWidget* StartPage::make_ways() {
   no_recent_->setWordWrap(true);
   no_recent_->setForegroundRole(QPalette::Text);
   auto* ways = new QWidget;
-  ways->setFixedWidth(kWaysWidth);
+  ways->setFixedWidth(kWaysWidth * fontMetrics().height());
   auto* layout = new QVBoxLayout(ways);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(8);
@@ -136,6 +139,7 @@ QWidget* StartPage::make_scenarios() {
   scenarios_->setMovement(QListView::Static);
   scenarios_->setUniformItemSizes(true);
   on_choice(scenarios_, [this](QListWidgetItem* item) { emit scenario_chosen(item->text()); });
+  scenarios_->viewport()->installEventFilter(this);
   fill_scenarios();
   auto* part = new QWidget;
   auto* layout = new QVBoxLayout(part);
@@ -186,6 +190,18 @@ void StartPage::close_page() {
   emit closed();
 }
 
+// As many in a row as there is room for, and together as wide as the list.
+void StartPage::fit_cards() {
+  const int space = scenarios_->width() - scenarios_->verticalScrollBar()->sizeHint().width() - 1;
+  const int extra = CardDelegate::extra_width();
+  const int least = static_cast<int>(kLeastWidth * fontMetrics().height()) + extra;
+  const int width = space / std::max(1, space / least) - extra;
+  if (width < 1) return;
+  auto* cards = static_cast<CardDelegate*>(scenarios_->itemDelegate());
+  cards->set_picture_size({width, width * kPicture.height() / kPicture.width()});
+  scenarios_->doItemsLayout();
+}
+
 void StartPage::draw_pictures() {
   drawn_ = true;
   pictures_.draw(2 * kPicture, is_dark(palette()) ? Background::space : Background::white);
@@ -210,6 +226,11 @@ void StartPage::changeEvent(QEvent* event) {
 bool StartPage::eventFilter(QObject* watched, QEvent* event) {
   const bool moved = event->type() == QEvent::Resize || event->type() == QEvent::LayoutRequest;
   if (watched == parentWidget() && moved && isVisible()) cover_window();
+  const bool resized = event->type() == QEvent::Resize && watched == scenarios_->viewport();
+  if (resized && scenarios_->width() != fitted_width_) {
+    fitted_width_ = scenarios_->width();
+    fit_cards();
+  }
   return QFrame::eventFilter(watched, event);
 }
 

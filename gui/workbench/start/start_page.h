@@ -46,6 +46,7 @@ class StartPage : public QFrame {
   QWidget* make_scenarios();
   void fill_scenarios();
   void draw_pictures();
+  void fit_cards();
   void cover_window();
 
   QPushButton* guide_;
@@ -53,6 +54,7 @@ class StartPage : public QFrame {
   QLabel* no_recent_;
   QListWidget* scenarios_;
   ScenarioPictures pictures_;
+  int fitted_width_ = 0;  // of the list that the cards were made to fit
   bool drawn_ = false;
 };
 
