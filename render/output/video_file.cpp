@@ -5,7 +5,6 @@
 #include <signal.h>
 #include <spawn.h>
 #include <sys/mman.h>
-#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -46,7 +45,7 @@ std::vector<std::string> ffmpeg_arguments(int width, int height, double frames_p
           "-c:v",
           "libx264",
           "-preset",
-          effort == VideoEffort::live ? "veryfast" : "medium",
+          effort == VideoEffort::live ? "superfast" : "medium",
           "-crf",
           "18",
           "-pix_fmt",
@@ -96,9 +95,6 @@ const char* reason_to_fail(const std::string& line) {
 VideoFile::VideoFile(const std::string& path, int width, int height, double frames_per_second, VideoEffort effort)
     : file_(path, FileKind::video), bytes_(nullptr), width_(width), height_(height) {
   start(ffmpeg_arguments(width, height, frames_per_second, effort, file_.temporary_path()));
-  // What is shown meanwhile comes first.
-  constexpr int kPolite = 10;
-  if (effort == VideoEffort::live) setpriority(PRIO_PROCESS, static_cast<id_t>(process_), kPolite);
 }
 
 VideoFile::VideoFile(const std::string& page, std::string& bytes, int width, int height, double frames_per_second)

@@ -10,7 +10,7 @@
 namespace netpocket {
 namespace {
 
-constexpr std::size_t kMostWaiting = 8;  // pictures that encoding may be behind
+constexpr std::size_t kMostWaiting = 12;  // pictures that encoding may be behind: half a second
 
 bool nearly_as_large(const QSize& a, const QSize& b) {
   return std::abs(a.width() - b.width()) < 2 && std::abs(a.height() - b.height()) < 2;

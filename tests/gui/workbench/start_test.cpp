@@ -68,6 +68,21 @@ TEST_F(StartTest, ShowsEveryScenarioAsAPicture) {
   screenshot("start_page");
 }
 
+// At any width a further card would not fit at the right.
+TEST_F(StartTest, CardsFillTheRow) {
+  window_->show_start_page();
+  for (const int width : {1200, 1280, 1440, 1920}) {
+    window_->resize(width, 800);
+    QListWidget* list = page().scenarios();
+    ASSERT_TRUE(wait_until([&] { return list->window()->width() == width; }, 5));
+    QTest::qWait(150);  // the list lays its cards out a little later
+    int right = 0;
+    for (int i = 0; i < list->count(); ++i) right = std::max(right, list->visualItemRect(list->item(i)).right());
+    EXPECT_LE(right, list->viewport()->width()) << width;
+    EXPECT_GT(right, list->viewport()->width() - 24) << width;
+  }
+}
+
 // A net in front of a target is dark, its rods are blue, and nothing of the pocket is at the picture's edge.
 TEST(ScenarioSketch, ShowsThePocketInTheMiddle) {
   const QImage picture = sketch_pocket(preview_pocket(quick_scenario()), {448, 280}, Background::white);
