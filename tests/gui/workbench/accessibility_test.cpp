@@ -74,10 +74,12 @@ TEST_F(AccessibilityTest, TheWindowByKeysAndEars) {
   ASSERT_TRUE(run_to(1.0));
   window_->show_notice("A sentence that tells of a problem.");
   show_dock("runs");
+  ASSERT_TRUE(wait_for_picture());  // so that nothing but the focus changes the view
   expect_none(keyboard_faults(*window_), "with the runs");
   window_->view_actions().second_view_action()->setChecked(true);
   show_dock("findings");
   show_dock("control");
+  ASSERT_TRUE(wait_for_picture());
   expect_none(keyboard_faults(*window_), "with findings, control and a second view");
   show_dock("scenario");
 }

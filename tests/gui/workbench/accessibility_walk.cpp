@@ -58,6 +58,15 @@ bool is_part_of_another(const QWidget& widget) {
   return false;
 }
 
+// Not scrolled away. What its children cover counts, too.
+bool is_in_sight(const QWidget& widget) {
+  QRect seen = widget.rect();
+  for (const QWidget* at = &widget; !at->isWindow(); at = at->parentWidget()) {
+    seen = seen.translated(at->pos()) & at->parentWidget()->rect();
+  }
+  return !seen.isEmpty();
+}
+
 bool can_be_operated(const QWidget& widget) {
   const bool known = qobject_cast<const QAbstractButton*>(&widget) || qobject_cast<const QComboBox*>(&widget) ||
                      qobject_cast<const QLineEdit*>(&widget) || qobject_cast<const QAbstractSpinBox*>(&widget) ||
@@ -70,7 +79,7 @@ QWidgetList operable(QWidget& window) {
   QWidgetList found;
   for (QWidget* widget : window.findChildren<QWidget*>()) {
     const bool shown = widget->window() == &window && widget->isVisible() && widget->isEnabled();
-    if (shown && !widget->visibleRegion().isEmpty() && can_be_operated(*widget) && !is_part_of_another(*widget)) {
+    if (shown && is_in_sight(*widget) && can_be_operated(*widget) && !is_part_of_another(*widget)) {
       found << widget;
     }
   }
@@ -139,7 +148,7 @@ bool shows_focus(QWidget& window, QWidget& widget) {
   constexpr int kLeastPixels = 6;
   widget.setFocus(Qt::TabFocusReason);  // what scrolls has come into sight
   QApplication::processEvents();
-  if (widget.visibleRegion().isEmpty()) return true;
+  if (!is_in_sight(widget)) return true;
   widget.clearFocus();
   const QImage without = picture_around(window, widget);
   widget.setFocus(Qt::TabFocusReason);
