@@ -106,11 +106,11 @@ void check_screen() {
   }
 }
 
-// Saves the window once its first picture has been there for a moment, and ends. `failure`: why it could not.
+// Saves the window once its first picture and its findings are there, and ends. `failure`: why it could not.
 void take_screenshot(MainWindow& window, const QString& path, std::string& failure) {
   auto* timer = new QTimer(&window);
   timer->setSingleShot(true);
-  timer->setInterval(1000);
+  timer->setInterval(2500);  // findings are evaluated now and then
   QObject::connect(&window.viewport(), &Viewport::picture_shown, timer, [timer] {
     if (!timer->isActive()) timer->start();
   });
