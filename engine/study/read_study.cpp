@@ -32,6 +32,7 @@ class StudyReader {
   explicit StudyReader(std::string path) : path_(std::move(path)) {}
 
   StudyResult read(const toml::table& file) {
+    study_.path = path_;
     study_.name = study_.file = std::filesystem::path(path_).stem().string();
     if (is_scenario(file)) {
       add({.file = path_, .message = "is a scenario, not a study; a study names a scenario as its base"});

@@ -13,8 +13,6 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
-#include <optional>
-#include <string_view>
 #include <thread>
 
 #include "engine/base/folder.h"
@@ -43,21 +41,6 @@ std::string take_text(std::string_view& line) {
   return text;
 }
 
-// What a line begins with; nothing if it is of another form.
-std::optional<RecordPlace> parse_head(std::string_view line) {
-  RecordPlace place;
-  place.length = line.size();
-  if (!line.ends_with('}') || !skip(line, "{\"point\":")) return std::nullopt;
-  const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), place.point);
-  if (error != std::errc() || place.point == 0) return std::nullopt;
-  line.remove_prefix(static_cast<std::size_t>(end - line.data()));
-  if (!skip(line, ",\"outcome\":\"")) return std::nullopt;
-  place.outcome = take_text(line);
-  if (!skip(line, ",\"identity\":\"")) return std::nullopt;
-  place.identity = take_text(line);
-  return place;
-}
-
 void scan_file(const std::string& path, const std::function<void(const RecordPlace&)>& use) {
   constexpr std::size_t kChunk = 1 << 22;
   const std::unique_ptr<FILE, int (*)(FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
@@ -71,7 +54,7 @@ void scan_file(const std::string& path, const std::function<void(const RecordPla
     is_end = text.size() < before + kChunk;
     std::size_t begin = 0;
     for (auto end = text.find('\n', before); end != text.npos; end = text.find('\n', begin)) {
-      if (auto place = parse_head(std::string_view(text).substr(begin, end - begin))) {
+      if (auto place = parse_record_head(std::string_view(text).substr(begin, end - begin))) {
         place->file = path;
         place->offset = offset + begin;
         use(*place);
@@ -104,6 +87,20 @@ std::int64_t complete_size(int descriptor, std::int64_t size) {
 }
 
 }  // namespace
+
+std::optional<RecordPlace> parse_record_head(std::string_view line) {
+  RecordPlace place;
+  place.length = line.size();
+  if (!line.ends_with('}') || !skip(line, "{\"point\":")) return std::nullopt;
+  const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), place.point);
+  if (error != std::errc() || place.point == 0) return std::nullopt;
+  line.remove_prefix(static_cast<std::size_t>(end - line.data()));
+  if (!skip(line, ",\"outcome\":\"")) return std::nullopt;
+  place.outcome = take_text(line);
+  if (!skip(line, ",\"identity\":\"")) return std::nullopt;
+  place.identity = take_text(line);
+  return place;
+}
 
 std::string records_path(const std::string& folder, int part, int parts) {
   return fmt::format("{}/records/{}_of_{}.jsonl", folder, part, parts);

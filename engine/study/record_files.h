@@ -5,7 +5,9 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/study/study_record.h"
@@ -21,6 +23,9 @@ struct RecordPlace {
   std::uint64_t offset = 0;  // bytes
   std::size_t length = 0;    // without the end of the line
 };
+
+// What a line begins with, without its file and offset; nothing if it is of another form.
+std::optional<RecordPlace> parse_record_head(std::string_view line);
 
 // "records/3_of_8.jsonl" in the folder.
 std::string records_path(const std::string& folder, int part, int parts);

@@ -5,7 +5,7 @@
 #include "engine/base/whole_file.h"
 #include "engine/scenario/write_scenario.h"
 #include "engine/study/point_runner.h"
-#include "engine/study/study_status.h"
+#include "engine/study/study_manifest.h"
 #include "engine/study/study_table.h"
 
 namespace netpocket {

@@ -20,8 +20,8 @@
 #include "engine/study/record_files.h"
 #include "engine/study/run_search.h"
 #include "engine/study/study_folder.h"
+#include "engine/study/study_manifest.h"
 #include "engine/study/study_plan.h"
-#include "engine/study/study_status.h"
 #include "engine/study/study_table.h"
 
 namespace netpocket {

@@ -135,6 +135,7 @@ struct StudyStatement {
 
 struct Study {
   std::string name;
+  std::string path;  // of its file, as it was named
   std::string file;  // name of the study's file without folder and extension
   std::string description;
   Scenario base;

@@ -4,44 +4,14 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 
-#include "engine/base/whole_file.h"
 #include "engine/study/record_files.h"
-#include "engine/study/study_plan.h"
-#include "engine/study/study_record.h"
+#include "engine/study/study_manifest.h"
 
 namespace netpocket {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-const char* sampling_name(Sampling sampling) {
-  switch (sampling) {
-    case Sampling::grid:
-      return "grid";
-    case Sampling::halton:
-      return "halton";
-    case Sampling::monte_carlo:
-      return "monte_carlo";
-    case Sampling::latin_hypercube:
-      return "latin_hypercube";
-    case Sampling::sobol:
-      return "sobol";
-  }
-  return "";
-}
-
-Json read_manifest(const std::string& folder) {
-  const std::string path = folder + "/" + kStudyManifest;
-  std::ifstream file(path);
-  if (!file) throw FileError(fmt::format("\"{}\" holds no study: there is no {} in it", folder, kStudyManifest));
-  Json manifest = Json::parse(file, nullptr, false);
-  if (!manifest.is_object() || !manifest["points"].is_number_unsigned() || !manifest["study"].is_string()) {
-    throw FileError(fmt::format("\"{}\" is damaged", path));
-  }
-  return manifest;
-}
 
 std::string failure_reason(const StudyRecord& record) {
   const std::string refused = record["refused"].get<std::string>();
@@ -64,28 +34,11 @@ std::vector<std::string> files_being_written(const std::string& folder) {
 
 }  // namespace
 
-void write_study_manifest(const Study& study, std::size_t points, const std::string& folder,
-                          const std::string& program) {
-  Json variants = Json::array(), uncertain = Json::array();
-  for (const NamedSettings& variant : study.variants) variants.push_back(variant.name);
-  for (const std::string& key : used_keys(study)) uncertain.push_back(key);
-  const Json manifest = {{"study", study.name},
-                         {"points", points},
-                         {"variants", variants},
-                         {"sampling", sampling_name(study.sampling)},
-                         {"samples", study.samples},
-                         {"seed", study.seed},
-                         {"uncertain", uncertain},
-                         {"program", program},
-                         {"scenario", point_identity({study.base}, program)}};
-  write_whole_file(folder + "/" + kStudyManifest, FileKind::json, manifest.dump(1) + "\n");
-}
-
 StudyStatus study_status(const std::string& folder) {
-  const Json manifest = read_manifest(folder);
+  const StudyManifest manifest = read_study_manifest(folder);
   StudyStatus status;
-  status.study = manifest["study"].get<std::string>();
-  status.points = manifest["points"].get<std::size_t>();
+  status.study = manifest.study;
+  status.points = manifest.points;
   std::vector<RecordPlace> failed;
   status.is_finished.resize(status.points);
   scan_records(folder, [&](const RecordPlace& place) {

@@ -1,20 +1,11 @@
 #pragma once
 // How far a study is, from its folder alone. Thread contract: any thread may call these functions. Errors: FileError.
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
-#include "engine/study/study.h"
-
 namespace netpocket {
-
-// Name of the file, in the study's folder, that says what the study consists of.
-inline constexpr char kStudyManifest[] = "study_manifest.json";
-
-// Writes {"study", "points", "variants" [names], "sampling", "samples", "seed", "uncertain" [keys], "program",
-// "scenario" (hash of program, base scenario and meshes)}. `points`: how many the study takes, at most.
-void write_study_manifest(const Study& study, std::size_t points, const std::string& folder,
-                          const std::string& program);
 
 struct StudyFailure {
   std::size_t point = 0;  // 1, 2, ...

@@ -13,6 +13,8 @@
 #include "engine/base/whole_file.h"
 #include "engine/study/found_records.h"
 #include "engine/study/study_folder.h"
+#include "engine/study/study_manifest.h"
+#include "engine/study/study_plan.h"
 #include "gui/cluster/slurm.h"
 
 namespace netpocket {

@@ -14,6 +14,7 @@
 #include <algorithm>
 
 #include "engine/base/file_kind.h"
+#include "gui/workbench/campaign/campaign_actions.h"
 #include "gui/workbench/control/control_actions.h"
 #include "gui/workbench/control/control_panel.h"
 #include "gui/workbench/dialogs/preferences_dialog.h"
@@ -147,8 +148,7 @@ void MainWindow::connect_document() {
   connect(edit_actions_, &EditActions::problem, this, &MainWindow::show_notice);
   connect(edit_actions_, &EditActions::told, this, [this](const QString& text) { status_->showMessage(text, 10000); });
   connect(edit_actions_, &EditActions::key_chosen, this, [this](const QString& key) {
-    findChild<QDockWidget*>("scenario")->show();
-    findChild<QDockWidget*>("scenario")->raise();
+    bring_up("scenario");
     editor_->reveal(key);
   });
   connect(file_actions_, &FileActions::open_requested, this, &MainWindow::open);
@@ -208,6 +208,8 @@ void MainWindow::connect_panels() {
     const bool shown = run != nullptr && run->structure && viewport_->state().structure == run->structure;
     if (shown) viewport_->set_history(history_.of(*run, options));
   });
+  connect(campaign_actions_, &CampaignActions::panel_wanted, this, [this] { bring_up("campaign"); });
+  connect(campaign_actions_, &CampaignActions::scenario_adopted, this, [this] { bring_up("scenario"); });
   connect(control_actions_, &ControlActions::problem, this, &MainWindow::show_notice);
   connect(control_actions_, &ControlActions::comparison_begun, this, &MainWindow::show_comparison);
   connect(control_, &ControlPanel::loops_appeared, this, &MainWindow::offer_control);
@@ -361,6 +363,12 @@ void MainWindow::show_second_view(bool shown) {
   if (shown) views_->setSizes({1, 1});
 }
 
+void MainWindow::bring_up(const char* dock) {
+  auto* widget = findChild<QDockWidget*>(dock);
+  widget->show();
+  widget->raise();
+}
+
 // Behind the scenario, which stays in front.
 void MainWindow::offer_control() {
   auto *scenario = findChild<QDockWidget*>("scenario"), *control = findChild<QDockWidget*>("control");
@@ -415,7 +423,8 @@ void MainWindow::update_title() {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   const bool keeps_runs = read_preferences(*settings_).ask_about_runs;
-  if (!exports_->may_close() || !file_actions_->may_discard() || (keeps_runs && !run_files_->may_close())) {
+  if (!exports_->may_close() || !campaign_actions_->may_close() || !file_actions_->may_discard() ||
+      (keeps_runs && !run_files_->may_close())) {
     event->ignore();
     return;
   }

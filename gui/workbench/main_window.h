@@ -18,6 +18,8 @@ class QSplitter;
 
 namespace netpocket {
 
+class CampaignActions;
+class CampaignPanel;
 class ControlActions;
 class ControlPanel;
 class EditActions;
@@ -81,6 +83,8 @@ class MainWindow : public QMainWindow {
   FindingsPanel& findings() { return *findings_; }
   ControlPanel& control() { return *control_; }
   ControlActions& control_actions() { return *control_actions_; }
+  CampaignPanel& campaign() { return *campaign_; }
+  CampaignActions& campaign_actions() { return *campaign_actions_; }
   RunActions& run_actions() { return *run_actions_; }
   EditActions& edit_actions() { return *edit_actions_; }
   FileActions& file_actions() { return *file_actions_; }
@@ -143,6 +147,7 @@ class MainWindow : public QMainWindow {
   void show_second_view(bool shown);
   void show_comparison(RunId with_loop);
   void offer_control();
+  void bring_up(const char* dock);
   void set_moving(bool moving);
   void ask_for_preferences();
   void strategy_answered(RunId id, const Diagnostics& refused, double time);
@@ -163,6 +168,8 @@ class MainWindow : public QMainWindow {
   FindingsPanel* findings_ = nullptr;
   ControlPanel* control_ = nullptr;
   ControlActions* control_actions_ = nullptr;
+  CampaignPanel* campaign_ = nullptr;
+  CampaignActions* campaign_actions_ = nullptr;
   PickedPlot* picked_plot_ = nullptr;
   RunsPanel* runs_panel_ = nullptr;
   RunStatusBar* status_ = nullptr;

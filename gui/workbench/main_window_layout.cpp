@@ -8,6 +8,7 @@
 #include <QToolBar>
 #include <QVBoxLayout>
 
+#include "gui/workbench/campaign/campaign_actions.h"
 #include "gui/workbench/control/control_actions.h"
 #include "gui/workbench/control/control_panel.h"
 #include "gui/workbench/dialogs/about_dialog.h"
@@ -84,14 +85,18 @@ void MainWindow::make_docks() {
   findings_ = new FindingsPanel;
   runs_panel_ = new RunsPanel(*session_);
   control_ = new ControlPanel(*document_);
+  campaign_ = new CampaignPanel(*document_);
   findings_updater_ = std::make_unique<FindingsUpdater>(*session_, [this] { return runs_panel_->compared(); });
   auto* scenario = add(tr("Scenario"), "scenario", editor_, Qt::LeftDockWidgetArea);
   auto* control = add(tr("Control"), "control", control_, Qt::LeftDockWidgetArea);
+  auto* campaign = add(tr("Campaign"), "campaign", campaign_, Qt::LeftDockWidgetArea);
   auto* plots = add(tr("Plots"), "plots", plots_, Qt::RightDockWidgetArea);
   auto* findings = add(tr("Findings"), "findings", findings_, Qt::RightDockWidgetArea);
   auto* runs = add(tr("Runs"), "runs", runs_panel_, Qt::RightDockWidgetArea);
   tabifyDockWidget(scenario, control);
-  control->hide();  // until there are loops
+  tabifyDockWidget(control, campaign);
+  control->hide();   // until there are loops
+  campaign->hide();  // until it is asked for
   tabifyDockWidget(findings, runs);
   findings->raise();
   resizeDocks({scenario, plots}, {330, 420}, Qt::Horizontal);
@@ -168,6 +173,9 @@ void MainWindow::make_menus(const WindowOptions& options) {
   run_actions_->fill(*run, *bar);
   control_actions_ = new ControlActions(*session_, *control_, this);
   control_actions_->fill(*run);
+  campaign_actions_ = new CampaignActions(
+      *campaign_, *document_, *session_, options.program, [this] { return file_actions_->save(); }, this);
+  campaign_actions_->fill(*run);
   bar->addSeparator();
   view_actions_ = new ViewActions(*viewport_, *settings_, this);
   view_actions_->fill(*view, *bar);
@@ -186,7 +194,8 @@ void MainWindow::make_menus(const WindowOptions& options) {
 // Panels to show or hide, and keys that go to them.
 void MainWindow::fill_panels(QMenu& menu) {
   QList<QDockWidget*> docks;
-  for (const char* name : {"scenario", "plots", "findings", "runs", "control"}) docks << findChild<QDockWidget*>(name);
+  for (const char* name : {"scenario", "plots", "findings", "runs", "control", "campaign"})
+    docks << findChild<QDockWidget*>(name);
   for (auto* dock : docks) menu.addAction(dock->toggleViewAction());
   menu.addSeparator();
   menu.setToolTipsVisible(true);

@@ -8,122 +8,17 @@
 #include <numeric>
 
 #include "engine/statistics/empirical_distribution.h"
-#include "engine/statistics/kriging.h"
 #include "engine/statistics/proportion.h"
-#include "render/figures/contour.h"
+#include "render/figures/capture_map.h"
 #include "render/figures/rich_text.h"
+#include "render/figures/study_curves.h"
 
 namespace netpocket {
 namespace {
 
-constexpr double kGapInCurve = std::numeric_limits<double>::quiet_NaN();
 constexpr double kConfidence = 0.95;
 
 using Column = ResultColumn;
-
-std::string axis_title(const Column& column) {
-  const bool has_unit = !column.unit.empty() && column.unit != "1";
-  return plain_text(has_unit ? fmt::format("{} ({})", column.name, column.unit) : column.name);
-}
-
-Curve line(FigureColour colour, double width = 0.9, const std::string& label = "") {
-  Curve curve;
-  curve.colour = colour;
-  curve.width = width;
-  curve.label = label;
-  return curve;
-}
-
-// Points alone: a gap follows each.
-Curve scatter(FigureColour colour, const std::string& label) {
-  Curve curve = line(colour, 0.9, label);
-  curve.marker = Marker::circle;
-  return curve;
-}
-
-Panel panel_of(const std::string& x_title, const std::string& y_title, std::vector<Curve> curves) {
-  Panel panel;
-  panel.x.title = x_title;
-  panel.y.title = y_title;
-  panel.curves = std::move(curves);
-  return panel;
-}
-
-void add_point(Curve& curve, double x, double y) {
-  curve.x.insert(curve.x.end(), {x, kGapInCurve});
-  curve.y.insert(curve.y.end(), {y, kGapInCurve});
-}
-
-// Captures over two inputs: missed ones over the captured ones.
-std::vector<Curve> captures_over(const StudyResults& results, const Column& x, const Column& y, bool has_labels) {
-  Curve captured = scatter(kSkyBlue, has_labels ? "captured" : ""),
-        missed = scatter(kVermillion, has_labels ? "missed" : "");
-  for (std::size_t i = 0; i < results.size(); ++i) {
-    if (!std::isnan(results.captured[i]))
-      add_point(results.captured[i] == 1 ? captured : missed, x.values[i], y.values[i]);
-  }
-  return {captured, missed};
-}
-
-struct Range {
-  double from, to;
-  double at(double fraction) const { return from + fraction * (to - from); }
-  double fraction(double value) const { return to > from ? (value - from) / (to - from) : 0.5; }
-};
-
-Range range_of(const Column& column) {
-  Range range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  for (const double value : column.values) {
-    if (std::isfinite(value)) range = {std::min(range.from, value), std::max(range.to, value)};
-  }
-  return range;
-}
-
-// Probability of capture over two inputs, the others as they were drawn: Kriging of the captures, yes or no, whose
-// estimated noise is what the other inputs do. In column i, row j at x[i], y[j].
-struct ProbabilityMap {
-  std::vector<double> x, y;
-  Eigen::MatrixXd values;
-};
-
-ProbabilityMap probability_map(const StudyResults& results, const Column& x, const Column& y) {
-  constexpr std::size_t kMostPoints = 300;  // the time grows with their cube
-  constexpr std::size_t kSteps = 41;
-  const Range across = range_of(x), along = range_of(y);
-  std::vector<Eigen::Vector2d> points;
-  std::vector<double> values;
-  for (std::size_t i = 0; i < results.size() && points.size() < kMostPoints; ++i) {
-    if (std::isnan(results.captured[i])) continue;
-    points.emplace_back(across.fraction(x.values[i]), along.fraction(y.values[i]));
-    values.push_back(results.captured[i]);
-  }
-  ProbabilityMap map;
-  const bool varies = std::ranges::count(values, 0) > 0 && std::ranges::count(values, 1) > 0;
-  if (points.size() < 20 || !varies) return map;
-  Eigen::MatrixXd design(2, static_cast<Eigen::Index>(points.size()));
-  for (std::size_t i = 0; i < points.size(); ++i) design.col(static_cast<Eigen::Index>(i)) = points[i];
-  const Kriging kriging(design, Eigen::Map<const Eigen::VectorXd>(values.data(), design.cols()));
-  map.values.resize(kSteps, kSteps);
-  for (std::size_t i = 0; i < kSteps; ++i) {
-    const double fraction = static_cast<double>(i) / (kSteps - 1);
-    map.x.push_back(across.at(fraction));
-    map.y.push_back(along.at(fraction));
-    for (std::size_t j = 0; j < kSteps; ++j) {
-      const Eigen::Vector2d place(fraction, static_cast<double>(j) / (kSteps - 1));
-      map.values(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(i)) = kriging.predict(place).value;
-    }
-  }
-  return map;
-}
-
-Curve contour_curve(const ProbabilityMap& map, double level, double width) {
-  Curve curve = line(kBlack, width, fmt::format("{:g} %", 100 * level));
-  for (const ContourSegment& segment : contour(map.x, map.y, map.values, level)) {
-    curve.x.insert(curve.x.end(), {segment.from.x(), segment.to.x(), kGapInCurve});
-    curve.y.insert(curve.y.end(), {segment.from.y(), segment.to.y(), kGapInCurve});
-  }
-  return curve;
-}
 
 // The inputs that decide most, at most `count`.
 std::vector<const Column*> deciding_inputs(const StudyResults& results, std::size_t count) {
@@ -135,25 +30,19 @@ std::vector<const Column*> deciding_inputs(const StudyResults& results, std::siz
 }
 
 Figure capture_map(const StudyResults& results) {
-  Figure figure{.title = "Captures and probability of capture", .panels = {{}}, .width_mm = 140, .height_mm = 120};
   const auto inputs = deciding_inputs(results, 2);
-  if (inputs.size() < 2) return figure;
-  Panel& panel = figure.panels[0];
-  panel.x.title = axis_title(*inputs[0]);
-  panel.y.title = axis_title(*inputs[1]);
-  panel.curves = captures_over(results, *inputs[0], *inputs[1], true);
-  const ProbabilityMap map = probability_map(results, *inputs[0], *inputs[1]);
-  if (map.x.empty()) return figure;
-  panel.curves.push_back(contour_curve(map, 0.1, 0.6));
-  panel.curves.push_back(contour_curve(map, 0.5, 1.2));
-  panel.curves.push_back(contour_curve(map, 0.9, 2.0));
+  if (inputs.size() < 2) return {.title = "Captures", .panels = {{}}};
+  Figure figure = make_capture_map(results, *inputs[0], *inputs[1]);
+  for (Curve& curve : probability_contours(results, *inputs[0], *inputs[1])) {
+    figure.panels[0].curves.push_back(std::move(curve));
+  }
   return figure;
 }
 
 Figure convergence(const StudyResults& results) {
   Figure figure{.title = "Probability of capture", .panels = {{}}, .width_mm = 140, .height_mm = 80};
-  Curve estimate = line(kBlack, 0.9, "estimate"), lower = line(kBlue, 0.9, "95 % interval (Wilson)"),
-        upper = line(kBlue);
+  Curve estimate = plain_line(kBlack, 0.9, "estimate"), lower = plain_line(kBlue, 0.9, "95 % interval (Wilson)"),
+        upper = plain_line(kBlue);
   std::int64_t captured = 0, judged = 0;
   for (const double value : results.captured) {
     if (std::isnan(value)) continue;
@@ -176,7 +65,7 @@ Curve steps_of(const Column& column) {
     if (std::isfinite(value)) values.push_back(value);
   }
   std::ranges::sort(values);
-  Curve curve = line(kBlue);
+  Curve curve = plain_line(kBlue);
   for (std::size_t i = 0; i < values.size(); ++i) {
     for (const std::size_t count : {i, i + 1}) {
       curve.x.push_back(values[i]);
@@ -248,7 +137,7 @@ std::vector<double> distances_from_median(const std::vector<double>& values) {
 
 // Bars of a tornado: a thick line for the difference, a thin one for its interval.
 void add_bar(Panel& panel, double height, const Difference& d, FigureColour colour, const std::string& label) {
-  Curve bar = line(colour, 5, label), interval = line(kBlack, 0.8);
+  Curve bar = plain_line(colour, 5, label), interval = plain_line(kBlack, 0.8);
   bar.x = {0, d.value};
   interval.x = {d.lower, d.upper};
   bar.y = interval.y = {height, height};
@@ -286,9 +175,9 @@ Figure parallel_coordinates(const StudyResults& results) {
   Figure figure{.title = "Captures over the inputs", .panels = {{}}, .width_mm = 240, .height_mm = 110};
   Panel& panel = figure.panels[0];
   panel.y.title = "From smallest to largest";
-  Curve captured = line(kSkyBlue, 0.4, "captured");
-  Curve missed = line(kVermillion, 0.4, "missed");
-  std::vector<Range> ranges;
+  Curve captured = plain_line(kSkyBlue, 0.4, "captured");
+  Curve missed = plain_line(kVermillion, 0.4, "missed");
+  std::vector<ColumnRange> ranges;
   for (const Column& input : results.inputs) ranges.push_back(range_of(input));
   for (std::size_t i = 0; i < std::min(results.size(), kMostLines); ++i) {
     if (std::isnan(results.captured[i])) continue;

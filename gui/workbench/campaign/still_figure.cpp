@@ -1,0 +1,22 @@
+#include "gui/workbench/campaign/still_figure.h"
+
+#include <QPainter>
+
+namespace netpocket {
+
+StillFigure::StillFigure(QWidget* parent) : QWidget(parent) {
+  setAttribute(Qt::WA_OpaquePaintEvent);
+  setAccessibleName(tr("Figure of the campaign"));
+}
+
+void StillFigure::set_figure(Figure figure) {
+  figure_ = std::move(figure);
+  figure_.title.clear();
+  update();
+}
+
+void StillFigure::paintEvent(QPaintEvent*) {
+  QPainter(this).drawImage(QPoint(0, 0), figure_image(figure_, size(), devicePixelRatioF(), palette()).image);
+}
+
+}  // namespace netpocket
