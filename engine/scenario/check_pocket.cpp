@@ -11,6 +11,7 @@
 #include "engine/scenario/check_overlaps.h"
 #include "engine/scenario/check_scenario.h"
 #include "engine/scenario/pocket_outline.h"
+#include "engine/scenario/sector_scatter.h"
 
 namespace netpocket {
 namespace {
@@ -26,6 +27,7 @@ class PocketChecker {
     if (!found_.ok()) return;
     // The following checks need a valid profile.
     check_mesh();
+    check_sector_scatter(s_, found_);
     check_closing();
     check_control(s_, found_);
     if (target_ != nullptr) check_overlaps(s_, *target_, found_);

@@ -10,6 +10,7 @@
 
 #include "engine/base/edit_distance.h"
 #include "engine/scenario/check_pocket.h"
+#include "engine/scenario/sector_scatter.h"
 #include "engine/scenario/shared_parameters.h"
 #include "engine/scenario/strategy.h"
 #include "engine/scenario/thrown_net_parameters.h"
@@ -181,6 +182,8 @@ const SystemParameters& pocket_parameters() {
       .shared_groups = {"pocket", "net", "rope", "rods", "spacecraft", "target", "contact", "closing", "towing",
                         "winch", "deflation", "actuators"},
       .shared_lists = {"controller", "sensor", "actuators.thruster", "actuators.wheel", "disturbance"},
+      .groups = {scatter_group()},
+      .parameters = scatter_parameters(),
       .check = check_pocket,
       .acts_at_once = acts_at_once_in_pocket};
   return kPocket;

@@ -28,7 +28,7 @@ class UncertainReader {
       if (!inner) {
         report_(*node, key, "expects a distribution, e.g. { distribution = \"normal\", mean = 1, deviation = 0.1 }");
       } else if (inner->contains("distribution")) {
-        read_input(key, *inner);
+        for (const std::string& each : expanded(key, *inner)) read_input(each, *inner);
       } else {
         read(*inner, key);
       }
@@ -61,6 +61,25 @@ class UncertainReader {
   std::vector<UncertainInput> take() { return std::move(inputs_); }
 
  private:
+  // "scatter.rod_stiffness[*][1]" stands for one input for each row of the list, each with draws of its own.
+  std::vector<std::string> expanded(const std::string& key, const toml::table& table) {
+    const auto star = key.find("[*]");
+    if (star == key.npos) return {key};
+    const Parameter* parameter = find_parameter(key.substr(0, star), scenario_);
+    std::size_t count = parameter && parameter->type == ParameterType::vector ? 3 : 0;
+    if (parameter && parameter->type == ParameterType::pairs) {
+      count = std::get<std::vector<Eigen::Vector2d>>(parameter->get(scenario_)).size();
+    }
+    if (count == 0) {
+      report_(table, key, "has nothing that [*] could stand for: name a list with rows, which [set] or the base gives");
+    }
+    std::vector<std::string> keys;
+    for (std::size_t i = 0; i < count; ++i) {
+      keys.push_back(fmt::format("{}[{}]{}", key.substr(0, star), i, key.substr(star + 3)));
+    }
+    return keys;
+  }
+
   void read_input(const std::string& key, const toml::table& table) {
     const auto name = table["distribution"].value<std::string>().value_or("");
     if (name == "direction") return read_direction(key, table);

@@ -5,27 +5,28 @@
 namespace netpocket {
 namespace {
 
-double moment_of(const RodParameters& rods, double wall) { return rod_material(rods, wall).wrinkling_moment; }
+double moment_of(RodParameters rods, const RodMaterial& of) {
+  rods.pressure *= of.pressure;
+  return rod_material(rods, of.wall).wrinkling_moment;
+}
 
 }  // namespace
 
-MaterialChanges::MaterialChanges(const Scenario& scenario, std::int32_t lower_rods, std::int32_t upper_rods,
+MaterialChanges::MaterialChanges(const Scenario& scenario, const std::vector<RodMaterial>& rods,
                                  std::shared_ptr<const CaptureTimes> times)
-    : friction_(scenario.contact.friction),
-      deflation_(scenario.deflation, scenario.rods.pressure, std::move(times)),
-      rods_([&] {
-        const auto rods = [&](std::int32_t material, double wall) {
-          const double moment = moment_of(scenario.rods, wall);
-          return Rods{material, moment, GradualChange(1 / moment)};
-        };
-        return std::array{rods(lower_rods, scenario.rods.wall_lower), rods(upper_rods, scenario.rods.wall_upper)};
-      }()) {}
+    : friction_(scenario.contact.friction), deflation_(scenario.deflation, scenario.rods.pressure, std::move(times)) {
+  for (const RodMaterial& of : rods) {
+    const double moment = moment_of(scenario.rods, of);
+    rods_.push_back({of, moment, GradualChange(1 / moment)});
+  }
+}
 
 void MaterialChanges::change(const Scenario& scenario, double now) {
   friction_.change(scenario.contact.friction, now);
-  rods_[0].moment = moment_of(scenario.rods, scenario.rods.wall_lower);
-  rods_[1].moment = moment_of(scenario.rods, scenario.rods.wall_upper);
-  for (Rods& rods : rods_) rods.weakness.change(1 / rods.moment, now);
+  for (Rods& rods : rods_) {
+    rods.moment = moment_of(scenario.rods, rods.of);
+    rods.weakness.change(1 / rods.moment, now);
+  }
   deflation_.change(scenario.deflation, scenario.rods.pressure);
 }
 
@@ -39,7 +40,8 @@ void MaterialChanges::update(const Measurements& measurements, double interval, 
   const double now = measurements.time();
   deflation_.update(now, interval);
   commands.set_friction(friction_.at(now));
-  for (const Rods& rods : rods_) commands.set_wrinkling_moment(rods.material, deflation_.part() * rods.moment_at(now));
+  for (const Rods& rods : rods_)
+    commands.set_wrinkling_moment(rods.of.material, deflation_.part() * rods.moment_at(now));
 }
 
 void MaterialChanges::visit_state(const std::function<void(double&)>& visit) {

@@ -4,22 +4,22 @@
 // wrinkling moment its inverse changes gradually, which is zero for rods that do not wrinkle. Deflation (deflation.h)
 // lowers that moment in proportion to the pressure. The work of the change counts as energy put in.
 
-#include <array>
 #include <functional>
 #include <memory>
+#include <vector>
 
 #include "engine/control/capture_times.h"
 #include "engine/control/controller.h"
 #include "engine/control/deflation.h"
 #include "engine/control/gradual_change.h"
 #include "engine/scenario/scenario.h"
+#include "engine/systems/pocket/pocket.h"
 
 namespace netpocket {
 
 class MaterialChanges : public Controller {
  public:
-  // `lower_rods`, `upper_rods`: indices of the rods' materials, below and above the kinks.
-  MaterialChanges(const Scenario& scenario, std::int32_t lower_rods, std::int32_t upper_rods,
+  MaterialChanges(const Scenario& scenario, const std::vector<RodMaterial>& rods,
                   std::shared_ptr<const CaptureTimes> times);
 
   const Deflation& deflation() const { return deflation_; }
@@ -30,7 +30,7 @@ class MaterialChanges : public Controller {
 
  private:
   struct Rods {
-    std::int32_t material;
+    RodMaterial of;
     double moment;           // N m, wrinkling moment of the scenario
     GradualChange weakness;  // 1/(N m), 1/moment; 0 for rods that do not wrinkle
 
@@ -39,7 +39,7 @@ class MaterialChanges : public Controller {
 
   GradualChange friction_;
   Deflation deflation_;
-  std::array<Rods, 2> rods_;  // below and above the kinks
+  std::vector<Rods> rods_;
 };
 
 }  // namespace netpocket

@@ -13,6 +13,7 @@
 #include "engine/state/pocket_groups.h"
 #include "engine/systems/pocket/materials.h"
 #include "engine/systems/pocket/sector_builder.h"
+#include "engine/systems/pocket/sector_variation.h"
 
 namespace netpocket {
 namespace {
@@ -36,8 +37,9 @@ class PocketBuilder {
     Model& model = pocket_.model;
     net_ = model.add_material(cord_material(scenario_.net));
     rope_ = model.add_material(cord_material(scenario_.rope));
-    pocket_.lower_rods = model.add_material(rod_material(scenario_.rods, scenario_.rods.wall_lower));
-    pocket_.upper_rods = model.add_material(rod_material(scenario_.rods, scenario_.rods.wall_upper));
+    for (const double wall : {scenario_.rods.wall_lower, scenario_.rods.wall_upper}) {
+      pocket_.rod_materials.push_back({model.add_material(rod_material(scenario_.rods, wall)), wall});
+    }
     model.contact = {.restitution = scenario_.contact.restitution,
                      .friction = scenario_.contact.friction,
                      .friction_velocity = scenario_.contact.friction_velocity,
@@ -50,6 +52,7 @@ class PocketBuilder {
     add_lower_net();
     add_upper_net();
     add_closing_ropes();
+    vary_sectors(scenario_, pocket_);
     finish_structure();
     return std::move(pocket_);
   }
@@ -143,9 +146,9 @@ void PocketBuilder::add_rods() {
   const double stub = sectors_.position(lower_rows_.back(), 0).y() - root.y();
   divisions.front() = std::max(1, static_cast<int>(std::lround(per_side * stub / row_height)));
   const auto name = [](int sector) { return fmt::format("rod {}", sector + 1); };
-  lower_ = sectors_.add_thread(knots, divisions, pocket_.lower_rods, PocketGroup::rods, name);
-  upper_ =
-      sectors_.add_thread(upper_rows_, std::vector<int>(rows_, per_side), pocket_.upper_rods, PocketGroup::rods, name);
+  lower_ = sectors_.add_thread(knots, divisions, pocket_.rod_materials[0].material, PocketGroup::rods, name);
+  upper_ = sectors_.add_thread(upper_rows_, std::vector<int>(rows_, per_side), pocket_.rod_materials[1].material,
+                               PocketGroup::rods, name);
 
   Model& model = pocket_.model;
   for (int sector = 0; sector < sectors_.sectors(); ++sector) {

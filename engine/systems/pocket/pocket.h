@@ -15,12 +15,19 @@
 
 namespace netpocket {
 
+// A material of rods: below or above the kinks, of all rods or of one that is not like the others.
+struct RodMaterial {
+  std::int32_t material = 0;  // index
+  double wall = 0;            // m
+  double pressure = 1;        // times rods.pressure of the scenario
+};
+
 struct Pocket {
   Model model;
   Structure structure;          // of `model`
   std::int32_t spacecraft = 0;  // index of the body; likewise `target`
   std::int32_t target = 1;
-  std::int32_t lower_rods = 0, upper_rods = 0;  // indices of the rods' materials, below and above the kinks
+  std::vector<RodMaterial> rod_materials;  // first those of all rods, below and above the kinks
 };
 
 // The scenario must pass check_scenario. Throws std::runtime_error with one sentence when the target's mesh file has

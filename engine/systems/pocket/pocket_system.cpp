@@ -73,8 +73,7 @@ CaptureSystem build(const Scenario& scenario) {
   const PocketEvents* watch = add_controller<PocketEvents>(system, scenario, pocket);
   system.awaited = [watch](double time) { return watch->awaited(time); };
   const auto times = watch->times();
-  const auto* materials =
-      add_controller<MaterialChanges>(system, scenario, pocket.lower_rods, pocket.upper_rods, times);
+  const auto* materials = add_controller<MaterialChanges>(system, scenario, pocket.rod_materials, times);
   add_controller<SpacecraftDrive>(system, scenario.towing, scenario.spacecraft.station_keeping,
                                   total_mass(pocket.model), pocket.spacecraft, times);
   const WinchControl* winches = nullptr;

@@ -60,6 +60,34 @@ double agreement(const std::vector<double>& values, const Distribution& distribu
   return kolmogorov_smirnov_probability(statistic, values.size());
 }
 
+// Each rod has draws of its own, and a panel is torn in one of four captures.
+TEST(Campaign, SingleRodsAndPanelsScatter) {
+  const StudyFolder folder;
+  const Study study = read(folder, "samples = 60\nseed = 5\n", R"(
+scatter.rod_stiffness = [[1, 1], [2, 1], [3, 1], [4, 1], [5, 1], [6, 1], [7, 1], [8, 1]]
+[uncertain]
+"scatter.rod_stiffness[*][1]" = { distribution = "normal", mean = 1, deviation = 0.05 }
+scatter.panel_stiffness = { distribution = "discrete", values = [[], [[2, 0.001]]], weights = [3, 1] }
+)");
+  ASSERT_EQ(study.uncertain.size(), 9u);
+  run_study(study, folder.file("out"), {.jobs = 2});
+  const std::vector<StudyRecord> records = records_of(folder.file("out"));
+  ASSERT_EQ(records.size(), 60u);
+  std::vector<double> all;
+  for (int rod = 0; rod < 8; ++rod) {
+    const auto factors = used(records, "scatter.rod_stiffness[" + std::to_string(rod) + "][1]");
+    EXPECT_GT(agreement(factors, Normal{1, 0.05}), 0.01) << "rod " << rod + 1;
+    all.insert(all.end(), factors.begin(), factors.end());
+  }
+  EXPECT_GT(agreement(all, Normal{1, 0.05}), 0.05);
+  EXPECT_LT(agreement(all, Normal{1, 0.07}), 0.001) << "the test can tell";
+  EXPECT_EQ(std::set(all.begin(), all.end()).size(), 480u) << "rods share no draws";
+  int torn = 0;
+  for (const StudyRecord& record : records)
+    torn += record["runs"][0]["used"]["scatter.panel_stiffness"] != "[]" ? 1 : 0;
+  EXPECT_NEAR(torn, 15, 10);
+}
+
 // Scatter that is set and never applied would go unnoticed in any table of settings. These values come from the
 // simulation, and the motion of its bodies shows them.
 TEST(Campaign, RunsUseTheValuesThatWereDrawn) {
