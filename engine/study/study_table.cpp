@@ -8,6 +8,7 @@
 #include "engine/analysis/metrics/metrics.h"
 #include "engine/analysis/report.h"
 #include "engine/base/whole_file.h"
+#include "engine/study/study_hdf5.h"
 #include "engine/study/study_plan.h"
 #include "engine/systems/capture_system.h"
 
@@ -273,6 +274,7 @@ void write_study_tables(const Study& study, const std::string& folder, const std
   timings.commit();
   json.commit();
   write_whole_file(folder + "/study_columns.csv", FileKind::csv, columns_csv(table));
+  write_study_hdf5(folder);
 }
 
 }  // namespace netpocket
