@@ -120,7 +120,7 @@ SubsetResult subset_simulation(const BatchFunction& limit_state, int dimensions,
     // More than a tenth where values are equal, as those of a metric can be.
     const auto kept = static_cast<std::size_t>((level.values.array() <= limit).count());
     result.probability *= static_cast<double>(kept) / options.samples;
-    result.steps.push_back({limit, result.probability});
+    result.steps.push_back({limit, result.probability, result.most_variation});
     if (limit == 0 || result.levels == options.most_levels) {
       result.is_resolved = limit == 0;
       result.variation = std::sqrt(variation);

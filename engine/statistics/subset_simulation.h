@@ -22,6 +22,7 @@ struct SubsetOptions {
 struct SubsetLevel {
   double limit = 0;
   double probability = 0;
+  double most_variation = 0;  // as SubsetResult::most_variation
 };
 
 struct SubsetResult {

@@ -51,6 +51,9 @@ std::size_t planned_points(const Study& study);
 
 Optimisation optimise(const Study& study, const RunPoints& run);
 
+// "mean of load_body": what is made least or largest.
+std::string objective_name(const StudyOptimisation& search);
+
 // The base with the best candidate's values.
 Scenario best_scenario(const Study& study, const Optimisation& result);
 

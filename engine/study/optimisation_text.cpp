@@ -55,6 +55,8 @@ std::string change_text(double before, double after) {
 
 }  // namespace
 
+std::string objective_name(const StudyOptimisation& search) { return name_of(search.objective); }
+
 std::string optimisation_csv(const Study& study, const Optimisation& result) {
   const StudyOptimisation& search = study.optimisation;
   std::string text = "candidate,generation";

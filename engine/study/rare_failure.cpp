@@ -12,10 +12,6 @@
 namespace netpocket {
 namespace {
 
-std::string failure_name(const StudyRareFailure& rare) {
-  return fmt::format("{} {} {:g}", rare.of, rare.is_above ? ">=" : "<=", rare.limit);
-}
-
 // The limit state: the system fails where it is at most 0.
 double limit_state(const StudyRareFailure& rare, const StudyRecord& record, RareFailure& failure) {
   if (record["runs"].empty()) {
@@ -91,11 +87,23 @@ double level_value(const Study& study, const SubsetLevel& level) {
   return study.rare.is_above ? study.rare.limit - level.limit : study.rare.limit + level.limit;
 }
 
+Interval level_interval(const Study& study, const SubsetLevel& level) {
+  return subset_interval(
+      {.probability = level.probability, .most_variation = level.most_variation, .is_resolved = true},
+      study.estimate.confidence);
+}
+
+std::string failure_name(const StudyRareFailure& rare) {
+  return fmt::format("{} {} {:g}", rare.of, rare.is_above ? ">=" : "<=", rare.limit);
+}
+
 std::string rare_failure_csv(const Study& study, const RareFailure& failure) {
-  std::string text = fmt::format("level,{},probability\n", study.rare.of);
+  std::string text = fmt::format("level,{},probability,lower,upper\n", study.rare.of);
   for (std::size_t i = 0; i < failure.result.steps.size(); ++i) {
     const SubsetLevel& step = failure.result.steps[i];
-    text += fmt::format("{},{},{}\n", i + 1, level_value(study, step), step.probability);
+    const Interval interval = level_interval(study, step);
+    text += fmt::format("{},{},{},{},{}\n", i + 1, level_value(study, step), step.probability, interval.lower,
+                        interval.upper);
   }
   return text;
 }

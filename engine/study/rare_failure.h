@@ -28,7 +28,13 @@ RareFailure find_rare_failure(const Study& study, const RunPoints& run);
 // Value of the column at which a level's share of the draws fails.
 double level_value(const Study& study, const SubsetLevel& level);
 
-// A row for each level: level, value of the column, probability.
+// Interval of a level's probability, as `RareFailure::interval`.
+Interval level_interval(const Study& study, const SubsetLevel& level);
+
+// "escape_depth <= 0.2"
+std::string failure_name(const StudyRareFailure& rare);
+
+// A row for each level: level, value of the column, probability and its interval.
 std::string rare_failure_csv(const Study& study, const RareFailure& failure);
 // Some lines for people.
 std::string rare_failure_text(const Study& study, const RareFailure& failure);

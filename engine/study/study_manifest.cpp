@@ -8,6 +8,8 @@
 #include "engine/base/whole_file.h"
 #include "engine/scenario/read_scenario.h"
 #include "engine/scenario/write_scenario.h"
+#include "engine/study/optimisation.h"
+#include "engine/study/rare_failure.h"
 
 namespace netpocket {
 namespace {
@@ -72,17 +74,19 @@ Scenario base_from(const Json& json, const std::string& path) {
 void write_study_manifest(const Study& study, std::size_t points, const std::string& folder,
                           const std::string& program) {
   const std::string file = study.path.empty() ? "" : std::filesystem::absolute(study.path).lexically_normal().string();
-  const Json manifest = {{"study", study.name},
-                         {"file", file},
-                         {"points", points},
-                         {"variants", variants_json(study.variants)},
-                         {"sampling", sampling_name(study.sampling)},
-                         {"samples", study.samples},
-                         {"seed", study.seed},
-                         {"uncertain", used_keys(study)},
-                         {"program", program},
-                         {"scenario", point_identity({study.base}, program)},
-                         {"base", {{"folder", study.base.files.folder}, {"text", write_scenario_text(study.base)}}}};
+  Json manifest = {{"study", study.name},
+                   {"file", file},
+                   {"points", points},
+                   {"variants", variants_json(study.variants)},
+                   {"sampling", sampling_name(study.sampling)},
+                   {"samples", study.samples},
+                   {"seed", study.seed},
+                   {"uncertain", used_keys(study)},
+                   {"program", program},
+                   {"scenario", point_identity({study.base}, program)},
+                   {"base", {{"folder", study.base.files.folder}, {"text", write_scenario_text(study.base)}}}};
+  if (study.optimisation.candidates > 0) manifest["objective"] = objective_name(study.optimisation);
+  if (!study.rare.of.empty()) manifest["failure"] = failure_name(study.rare);
   write_whole_file(folder + "/" + kStudyManifest, FileKind::json, manifest.dump(1) + "\n");
 }
 
@@ -97,6 +101,8 @@ StudyManifest read_study_manifest(const std::string& folder) {
     manifest.points = json.at("points").get<std::size_t>();
     manifest.file = json.value("file", "");
     manifest.program = json.value("program", "");
+    manifest.objective = json.value("objective", "");
+    manifest.failure = json.value("failure", "");
     if (json.contains("uncertain")) manifest.uncertain = json.at("uncertain").get<std::vector<std::string>>();
     if (json.contains("variants")) manifest.variants = variants_from(json.at("variants"));
     if (json.contains("base")) manifest.base = base_from(json.at("base"), path);

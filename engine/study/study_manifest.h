@@ -22,6 +22,8 @@ struct StudyManifest {
   std::vector<std::string> uncertain;  // used_keys()
   std::string program;                 // that wrote the manifest
   std::vector<NamedSettings> variants;
+  std::string objective;         // objective_name() of a study that optimises, else empty
+  std::string failure;           // failure_name() of a study of a rare failure, else empty
   std::optional<Scenario> base;  // nothing: an earlier version wrote the manifest
 };
 

@@ -11,6 +11,7 @@
 #include "engine/statistics/proportion.h"
 #include "render/figures/capture_map.h"
 #include "render/figures/rich_text.h"
+#include "render/figures/search_figures.h"
 #include "render/figures/study_curves.h"
 
 namespace netpocket {
@@ -232,7 +233,9 @@ const std::vector<std::pair<std::string, MakeStudyFigure>> kStudyFigures = {
     {"distributions", distributions},
     {"influence", influence},
     {"parallel_coordinates", parallel_coordinates},
-    {"scatter_matrix", scatter_matrix}};
+    {"scatter_matrix", scatter_matrix},
+    {"optimisation", optimisation_figure},
+    {"rare_failure", rare_failure_figure}};
 
 }  // namespace
 
@@ -242,6 +245,14 @@ const std::vector<std::string>& study_figure_names() {
     for (const auto& [name, make] : kStudyFigures) list.push_back(name);
     return list;
   }();
+  return names;
+}
+
+std::vector<std::string> suitable_study_figures(const StudyResults& results) {
+  std::vector<std::string> names = study_figure_names();
+  std::erase_if(names, [&results](const std::string& name) {
+    return (name == "optimisation" && results.optimisation.empty()) || (name == "rare_failure" && results.rare.empty());
+  });
   return names;
 }
 

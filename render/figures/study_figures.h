@@ -20,7 +20,12 @@ namespace netpocket {
 //   influence             what each input decides: the probability of capture where it is large and where it is small
 //   parallel_coordinates  each capture as a line over the inputs
 //   scatter_matrix        captures over each pair of the inputs that decide most
+//   optimisation          of a study that searches: its candidates by generation, and the best so far
+//   rare_failure          of a study of a rare failure: the probabilities of its levels, with intervals
 const std::vector<std::string>& study_figure_names();
+
+// Those that the results have something for: searches have a figure of their own.
+std::vector<std::string> suitable_study_figures(const StudyResults& results);
 
 // Results that lack what a figure takes give one that says "no data". Throws FigureError on an unknown name.
 Figure make_study_figure(std::string_view name, const StudyResults& results);

@@ -179,8 +179,13 @@ TEST(RareFailure, IsAsRareAsTheFormulaSays) {
   // What the first level takes a tenth of is the 10 % quantile of the speed.
   EXPECT_NEAR(level_value(study, result.steps[0]), 1 + 0.2 * normal_quantile(0.1), 0.05);
   EXPECT_EQ(outcome.rare_failure->refused, 0u);
+  // The last level is the failure.
+  const Interval last = level_interval(study, result.steps.back());
+  EXPECT_DOUBLE_EQ(last.lower, outcome.rare_failure->interval.lower);
+  EXPECT_DOUBLE_EQ(last.upper, outcome.rare_failure->interval.upper);
+  EXPECT_TRUE(level_interval(study, result.steps[0]).contains(0.1));
   const std::string table = folder.text("out/study_rare.csv");
-  EXPECT_TRUE(table.starts_with("level,relative_speed_start,probability\n1,0.7")) << table;
+  EXPECT_TRUE(table.starts_with("level,relative_speed_start,probability,lower,upper\n1,0.7")) << table;
   EXPECT_NE(rare_failure_text(study, *outcome.rare_failure).find("relative_speed_start <= 0.4: "), std::string::npos);
 }
 
