@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "engine/statistics/empirical_distribution.h"
 #include "engine/study/report_text.h"
+#include "engine/study/worst_captures.h"
 
 namespace netpocket {
 namespace {
@@ -63,18 +63,13 @@ std::string quantiles_section(const StudyOutcome& outcome) {
 std::string worst_section(const StudyResults& results) {
   const ResultColumn* depth = results.find("escape_depth");
   if (!depth) return "";
-  std::vector<std::size_t> order(results.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto key = [&](std::size_t i) { return std::isnan(depth->values[i]) ? INFINITY : depth->values[i]; };
-  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
-  order.resize(std::min(order.size(), kWorst));
   std::vector<std::string> header = {"point", "captured", "escape_depth (m)"};
   for (const ResultColumn& input : results.inputs) header.push_back(input.name);
   std::string text =
       "## The worst captures\n\nThose in which the target's centre came nearest to the mouth's plane, or beyond "
       "it.\n\n" +
       markdown_header(header);
-  for (const std::size_t i : order) {
+  for (const std::size_t i : worst_captures(results, {.by = depth->name}, kWorst)) {
     const char* captured = std::isnan(results.captured[i]) ? "not judged" : results.captured[i] == 1 ? "yes" : "no";
     text += fmt::format("| {} | {} | {:.3g} |", results.points[i], captured, depth->values[i]);
     for (const ResultColumn& input : results.inputs) text += fmt::format(" {:.3g} |", input.values[i]);

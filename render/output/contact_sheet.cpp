@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <sstream>
 
 #include "render/fonts/cairo_font.h"
 #include "render/fonts/drawable_text.h"
@@ -75,6 +76,19 @@ void draw_caption(cairo_t* context, const std::string& caption, const CaptionSty
   cairo_show_text(context, text.c_str());
 }
 
+std::vector<std::string> lines_of(const std::string& caption) {
+  std::vector<std::string> lines;
+  std::istringstream text(caption);
+  for (std::string line; std::getline(text, line);) lines.push_back(line);
+  return lines;
+}
+
+int most_lines(const std::vector<SheetPanel>& panels) {
+  std::size_t most = 1;
+  for (const SheetPanel& panel : panels) most = std::max(most, lines_of(panel.caption).size());
+  return static_cast<int>(most);
+}
+
 }  // namespace
 
 int balanced_columns(int panels, double aspect) {
@@ -100,7 +114,7 @@ Image make_contact_sheet(const std::vector<SheetPanel>& panels, const SheetLayou
     width = std::max(width, panel.image.width);
     height = std::max(height, panel.image.height);
   }
-  const int caption_height = layout.caption_size * 3 / 2;
+  const int caption_height = layout.caption_size * (1 + 2 * most_lines(panels)) / 2;
   const int step_x = width + layout.margin, step_y = height + caption_height + layout.margin;
   const int head = layout.margin + (layout.headings.empty() ? 0 : 2 * layout.caption_size);
 
@@ -128,8 +142,11 @@ Image make_contact_sheet(const std::vector<SheetPanel>& panels, const SheetLayou
     copy_panel(image, surface.get(), left, top);
     cairo_surface_mark_dirty(surface.get());
     if (layout.caption_size == 0) continue;
-    draw_caption(context.get(), caption, caption_style, left + image.width / 2.0,
-                 top + height + 1.15 * layout.caption_size);
+    double baseline = top + height + 1.15 * layout.caption_size;
+    for (const std::string& line : lines_of(caption)) {
+      draw_caption(context.get(), line, caption_style, left + image.width / 2.0, baseline);
+      baseline += layout.caption_size;
+    }
   }
   cairo_surface_flush(surface.get());
   return to_image(surface.get());

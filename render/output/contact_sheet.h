@@ -10,7 +10,7 @@ namespace netpocket {
 
 struct SheetPanel {
   Image image;
-  std::string caption;  // centred below the picture
+  std::string caption;  // centred below the picture; may have several lines
 };
 
 struct SheetLayout {

@@ -87,7 +87,11 @@ void CaptureMapView::redraw() {
 void CaptureMapView::request_contours() {
   if (x() == nullptr || y() == nullptr || x() == y()) return;
   rows_of_contours_ = results_->size();
-  ContourJob job{{{*x(), *y()}, {}, results_->points, results_->captured}, axes_};
+  ContourJob job;
+  job.results.inputs = {*x(), *y()};
+  job.results.points = results_->points;
+  job.results.captured = results_->captured;
+  job.axes = axes_;
   task_->submit(std::move(job));
 }
 

@@ -172,7 +172,10 @@ TEST(LiveResults, TakeTheLastRecordOfAPoint) {
     run["energy_error"] = 0;
     StudyRecord all = {{"refused", ""}, {"settings", StudyRecord::object()}, {"runs", StudyRecord::array()}};
     all["runs"].push_back(run);
-    return FollowedRecord{{.point = 7, .outcome = "done"}, all};
+    RecordPlace place;
+    place.point = 7;
+    place.outcome = "done";
+    return FollowedRecord{place, all};
   };
   live.add(record(200, true));
   live.add(record(210, false));
