@@ -52,8 +52,8 @@ A campaign says what is uncertain, and ends with the probability of capture and 
   [until]
   half_width = 0.02
 
-The folder, a new or empty one, gets study.csv (a row for each run), study_columns.csv (units and meanings), study_timings.csv
-and study.json (everything, with the findings' rules). Points whose scenario is not valid are listed with the reason. Ctrl-C
+The folder, a new or empty one, gets study.csv (a row for each run), study_columns.csv (units and meanings), study.h5 (both in
+one HDF5 file), study_timings.csv and study.json (everything, with the findings' rules). Points whose scenario is not valid are listed with the reason. Ctrl-C
 keeps the points that are done; --resume goes on. scenarios/studies/README.md describes the file.
 
 --part 3/8 runs the third of eight parts; others may run at the same time, here or on other machines, into the same folder.
@@ -138,6 +138,7 @@ void check_outputs(const StudyChoice& choice) {
   outputs.add("--output", choice.output + "/study_rare.csv", FileKind::csv);
   outputs.add("--output", choice.output + "/study_timings.csv", FileKind::csv);
   outputs.add("--output", choice.output + "/study.json", FileKind::json);
+  outputs.add("--output", choice.output + "/study.h5", FileKind::recording);
   if (!choice.report.empty()) outputs.add("--report", choice.report, FileKind::markdown);
 }
 

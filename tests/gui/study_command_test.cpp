@@ -159,6 +159,60 @@ TEST(Study, CampaignEndsWithAnEstimateAndIsDrawn) {
   EXPECT_TRUE(std::filesystem::exists(folder.file("figures/capture_map.svg")));
 }
 
+constexpr const char* kFiveDraws = R"(
+[uncertain]
+target.mass = { distribution = "normal", mean = 200, deviation = 20 }
+"target.position[0]" = { distribution = "uniform", min = -0.2, max = 0.2 }
+)";
+
+std::string write_campaign(const TestFolder& folder) {
+  const std::string study = write_study(folder, 0.05, kFiveDraws);
+  const std::string text = "sampling = \"sobol\"\nsamples = 5\n" + text_of(study);
+  return folder.write("study.toml", text);
+}
+
+// The captures are run again from what the folder says: the study's file is gone by then.
+TEST(Study, ItsWorstCapturesAreDrawnAgain) {
+  const TestFolder folder;
+  const std::string study = write_campaign(folder);
+  ASSERT_EQ(run_program({"study", study, "-o", folder.file("out"), "--quiet"}).exit_code, 0);
+  std::filesystem::remove(study);
+  const auto drawn = run_program(
+      {"plot", folder.file("out"), "--sheet", folder.file("worst.png"), "--by", "relative_speed_start", "--largest"});
+  EXPECT_EQ(drawn.exit_code, 0) << drawn.error;
+  EXPECT_TRUE(contains(text_of(folder.file("worst.png")).substr(0, 4), "PNG"));
+  EXPECT_GT(std::filesystem::file_size(folder.file("worst.png")), 100000u);
+  EXPECT_FALSE(std::filesystem::exists(folder.file("out/runs")));
+  const auto misspelt =
+      run_program({"plot", folder.file("out"), "--sheet", folder.file("w.png"), "--by", "escape_deth"});
+  EXPECT_EQ(misspelt.exit_code, 3);
+  EXPECT_TRUE(contains(misspelt.error, "has no column \"escape_deth\"")) << misspelt.error;
+  EXPECT_TRUE(contains(misspelt.error, "did you mean \"escape_depth\"?")) << misspelt.error;
+  const auto homeless = run_program({"plot", folder.file("out")});
+  EXPECT_EQ(homeless.exit_code, 2);
+  EXPECT_TRUE(contains(homeless.error, "--output is required")) << homeless.error;
+}
+
+TEST(Study, HasAPageOfItsOwn) {
+  const TestFolder folder;
+  ASSERT_EQ(run_program({"study", write_campaign(folder), "-o", folder.file("out"), "--quiet"}).exit_code, 0);
+  const auto result = run_program({"report", folder.file("out"), "-o", folder.file("page.html"), "--quiet"});
+  EXPECT_EQ(result.exit_code, 0) << result.error;
+  const std::string page = text_of(folder.file("page.html"));
+  EXPECT_TRUE(page.starts_with("<!DOCTYPE html>"));
+  EXPECT_TRUE(page.ends_with("</html>\n"));
+  const auto begin = page.find("application/json\">") + 18;
+  const auto data = nlohmann::json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+  EXPECT_EQ(data["points"].size(), 5u);
+  EXPECT_EQ(data["inputs"].size(), 2u);
+  EXPECT_EQ(data["inputs"][0][1], "kg");
+  ASSERT_EQ(data["pictures"].size(), 5u) << "all of so few are among the worst";
+  for (const auto& [row, id] : data["pictures"].items()) {
+    EXPECT_TRUE(contains(page, "id=\"" + id.get<std::string>() + "\"")) << row;
+  }
+  EXPECT_TRUE(contains(page, "data:image/png;base64,"));
+}
+
 TEST(Study, PartsRunIntoOneFolder) {
   const TestFolder folder;
   std::string rest = kUncertainMass;

@@ -54,6 +54,36 @@ def test_pandas_reads_the_tables(study: pathlib.Path) -> None:
     assert median["value"].tolist() == [sorted(table["relative_speed_start"])[2]]
 
 
+def test_hdf5_holds_the_table_with_units(study: pathlib.Path) -> None:
+    h5py = pytest.importorskip("h5py")
+    pandas = pytest.importorskip("pandas")
+    table = pandas.read_csv(study / "one" / "study.csv")
+    columns = pandas.read_csv(study / "one" / "study_columns.csv", index_col="name", keep_default_na=False)
+    with h5py.File(study / "one" / "study.h5") as file:
+        stored = {name: data.asstr()[:] if data.dtype.kind == "S" else data[:] for name, data in file["table"].items()}
+        assert set(stored) == set(table.columns)
+        for name, data in file["table"].items():
+            assert data.attrs["unit"].decode() == columns.loc[name, "unit"], name
+            assert data.attrs["help"].decode() == columns.loc[name, "meaning"], name
+    frame = pandas.DataFrame(stored)[list(table.columns)]
+    assert frame["point"].tolist() == [1, 2, 3, 4, 5, 6]
+    for name in table.columns:
+        if frame[name].dtype.kind == "f":
+            assert frame[name].equals(table[name].astype(float)), name
+        else:
+            assert frame[name].astype(str).tolist() == table[name].fillna("").astype(str).tolist(), name
+
+
+def test_sqlite_takes_the_table_in_one_line(study: pathlib.Path) -> None:
+    pandas = pytest.importorskip("pandas")
+    import sqlite3
+
+    base = sqlite3.connect(study / "study.db")
+    pandas.read_csv(study / "one" / "study.csv").to_sql("captures", base, index=False)
+    (heaviest,) = base.execute('SELECT max("target.mass") FROM captures').fetchone()
+    assert 150 <= heaviest <= 250
+
+
 def test_parts_under_gnu_parallel_give_the_same_tables(study: pathlib.Path) -> None:
     if not shutil.which("parallel"):
         pytest.skip("GNU parallel is not there")

@@ -9,8 +9,10 @@
 #include <limits>
 
 #include "engine/base/file_error.h"
+#include "engine/study/worst_captures.h"
 #include "render/figures/contour.h"
 #include "render/figures/figure_file.h"
+#include "render/figures/rich_text.h"
 #include "tests/render/figures/test_directory.h"
 
 namespace netpocket {
@@ -86,6 +88,59 @@ TEST(StudyFigures, AreMadeOfAnyResults) {
   EXPECT_THROW(make_study_figure("map", published()), FigureError);
   const Figure convergence = make_study_figure("convergence", published());
   EXPECT_NEAR(convergence.panels[0].curves.back().y.back(), 104 / 150.0, 1e-12);
+}
+
+TEST(StudyFigures, SearchesHaveFiguresOfTheirOwn) {
+  const auto has = [](const std::vector<std::string>& names, const char* name) {
+    return std::ranges::find(names, name) != names.end();
+  };
+  StudyResults results = published();
+  EXPECT_FALSE(has(suitable_study_figures(results), "optimisation"));
+  EXPECT_FALSE(has(suitable_study_figures(results), "rare_failure"));
+  results.optimisation = {{"candidate", "", {0, 1, 2, 3}},   {"generation", "", {0, 1, 1, 2}},
+                          {"objective", "", {9, 7, 5, 6}},   {"violation", "", {0, 0, 2, 0}},
+                          {"is_feasible", "", {1, 1, 0, 1}}, {"best_so_far", "", {9, 7, 7, 6}}};
+  results.objective = "mean of load_body";
+  ASSERT_TRUE(has(suitable_study_figures(results), "optimisation"));
+  const Figure search = make_study_figure("optimisation", results);
+  ASSERT_EQ(search.panels.size(), 2u) << "and the violation";
+  EXPECT_EQ(search.panels[0].y.title, plain_text("mean of load_body"));
+  const Curve& misses = search.panels[0].curves[0];
+  EXPECT_EQ(misses.x.size(), 2u) << "one candidate and the gap after it";
+  EXPECT_EQ(misses.y[0], 5);
+  const Curve& best = search.panels[0].curves[2];
+  EXPECT_EQ(best.x, (std::vector<double>{0, 1, 1, 2, 2}));
+  EXPECT_EQ(best.y, (std::vector<double>{9, 9, 7, 7, 6}));
+
+  results.rare = {{"level", "", {1, 2}},
+                  {"escape_depth", "m", {1.5, 0.2}},
+                  {"probability", "", {0.1, 0.004}},
+                  {"lower", "", {0.07, 0.001}},
+                  {"upper", "", {0.14, 0.02}}};
+  ASSERT_TRUE(has(suitable_study_figures(results), "rare_failure"));
+  const Panel panel = make_study_figure("rare_failure", results).panels[0];
+  EXPECT_EQ(panel.x.title, plain_text("escape_depth (m)"));
+  ASSERT_EQ(panel.curves.size(), 3u);
+  EXPECT_NEAR(panel.curves[0].y[3], std::log10(0.001), 1e-12);
+  EXPECT_NEAR(panel.curves[1].y[1], std::log10(0.004), 1e-12);
+  ASSERT_TRUE(panel.y.limits);
+  EXPECT_EQ(panel.y.limits->low, -3);
+  EXPECT_EQ(panel.y.limits->high, 0);
+  ASSERT_EQ(panel.y.names.size(), 4u);
+  EXPECT_EQ(panel.y.names[1].name, "10^{−2}");
+}
+
+TEST(WorstCaptures, AreThoseOfTheRanking) {
+  StudyResults results;
+  results.measures = {{"depth", "m", {0.5, -1, kUnknown, 2, -3, 0.6}}};
+  results.points = {1, 2, 3, 4, 5, 6};
+  results.captured = {1, 0, kUnknown, 1, 0, 1};
+  EXPECT_EQ(worst_captures(results, {.by = "depth"}, 3), (std::vector<std::size_t>{4, 1, 0}));
+  EXPECT_EQ(worst_captures(results, {.by = "depth", .largest_is_worst = true}, 2), (std::vector<std::size_t>{3, 5}));
+  EXPECT_EQ(worst_captures(results, {.by = "depth"}, 99).back(), 2u) << "without a number it is last";
+  EXPECT_TRUE(worst_captures(results, {.by = "load"}, 3).empty());
+  EXPECT_EQ(typical_captures(results, "depth", 2), (std::vector<std::size_t>{5, 0}));
+  EXPECT_EQ(typical_captures(results, "depth", 99).size(), 3u) << "captured ones only";
 }
 
 TEST(StudyResults, AreReadFromTheTables) {
