@@ -7,6 +7,7 @@
 #include "engine/analysis/report.h"
 #include "engine/bodies/triangle_mesh.h"
 #include "engine/scenario/parameters.h"
+#include "engine/scenario/sector_scatter.h"
 #include "engine/scenario/target_shape.h"
 #include "engine/scenario/write_scenario.h"
 
@@ -40,6 +41,20 @@ std::string mesh_bytes(const Scenario& scenario) {
   return bytes;
 }
 
+// The complete scenario, but without [scatter] where that says nothing: it then does nothing, and studies from before
+// it came are the same as after.
+std::string identified_text(const Scenario& scenario) {
+  std::string text = write_scenario_text(scenario);
+  for (const std::string_view key : {kRodStiffness, kRodPressure, kPanelStiffness}) {
+    const Parameter* parameter = find_parameter(key, scenario);
+    if (parameter == nullptr || parameter->get(scenario) != parameter->initial()) return text;
+  }
+  const auto begin = text.find(fmt::format("\n[{}]\n", scatter_group().name));
+  if (begin == text.npos) return text;
+  const auto end = std::min(text.find("\n[", begin + 1), text.size());
+  return text.erase(begin, end - begin);
+}
+
 // Begins with what record_files.h looks for in a line.
 StudyRecord head(std::size_t index, const char* outcome, const StudyPoint& point, const std::string& identity) {
   Json settings = Json::object();
@@ -55,7 +70,7 @@ bool is_finished(const StudyRecord& run) { return run["reason"] == to_string(Run
 std::string point_identity(const std::vector<Scenario>& scenarios, const std::string& program) {
   std::string all = program;
   for (const Scenario& scenario : scenarios) {
-    all.append(1, '\n').append(write_scenario_text(scenario)).append(mesh_bytes(scenario));
+    all.append(1, '\n').append(identified_text(scenario)).append(mesh_bytes(scenario));
   }
   return fmt::format("{:016x}", hash(all));
 }

@@ -73,6 +73,8 @@ ExitCode draw_capture_sheet(const PlotChoice& choice, const StudyResults& result
   if (read_study_manifest(folder).program != std::string(program_version()) + program_commit()) {
     say("another version of the program ran this study: its captures run again may differ a little");
   }
+  CaptureSheetOptions options;
+  options.ranking = choice.ranking;
   const Interrupt interrupt;
   const auto outcome = [&] {
     ProgressLine line(!choice.quiet);
@@ -80,7 +82,7 @@ ExitCode draw_capture_sheet(const PlotChoice& choice, const StudyResults& result
       line.update(static_cast<double>(p.done) / static_cast<double>(p.total),
                   fmt::format("capture {} of {}, {} left", p.done, p.total, duration_text(p.seconds_left)));
     };
-    return write_capture_sheet(folder, results, choice.sheet, {.ranking = choice.ranking}, show, interrupt.token());
+    return write_capture_sheet(folder, results, choice.sheet, options, show, interrupt.token());
   }();
   if (outcome == RenderOutcome::finished) return ExitCode::ok;
   say(fmt::format("interrupted; \"{}\" was not written", choice.sheet));

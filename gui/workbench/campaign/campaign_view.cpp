@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QStackedWidget>
 #include <QVBoxLayout>
@@ -24,6 +25,7 @@ namespace {
 
 constexpr int kRedrawInterval = 300;    // ms, at least
 constexpr qint64 kRestPerDrawing = 10;  // times as long as drawing took
+constexpr int kRowsOfPoint = 10;        // lines of a point's values that are shown at once
 const QString kMap = QStringLiteral("map");
 
 // Names that are too long lose their middle, not the panel its width.
@@ -166,9 +168,16 @@ QWidget* CampaignView::make_details() {
   buttons->addWidget(open_);
   buttons->addWidget(adopt_);
   buttons->addStretch();
+  // Many inputs must not take the map's room.
+  auto* scroller = new QScrollArea;
+  scroller->setWidget(point_);
+  scroller->setWidgetResizable(true);
+  scroller->setFrameShape(QFrame::NoFrame);
+  scroller->setFixedHeight(kRowsOfPoint * fontMetrics().lineSpacing());
+  point_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   auto* layout = new QVBoxLayout(details_);
   layout->setContentsMargins(8, 0, 8, 8);
-  layout->addWidget(point_);
+  layout->addWidget(scroller);
   layout->addLayout(buttons);
   return details_;
 }

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kGrasp = 9;                // pixels
 constexpr double kRing = 6;                 // pixels
-constexpr double kRoomBeside = 0.04;            // of the range, beside the outermost points
+constexpr double kRoomBeside = 0.04;        // of the range, beside the outermost points
 constexpr double kGrowthForContours = 0.2;  // of the rows, before they are worth computing anew
 constexpr std::size_t kFewestForContours = 60;
 

@@ -5,6 +5,7 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QToolButton>
+#include <algorithm>
 
 #include "engine/study/setting.h"
 #include "gui/workbench/editor/number_edit.h"

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/scenario/parameter_text.h"
 #include "engine/scenario/parameters.h"
@@ -12,7 +13,7 @@ namespace netpocket {
 namespace {
 
 constexpr double kUsualOffset = 0.5;     // m
-constexpr double kUsualDeviation = 0.1;  // of the value
+constexpr double kUsualDeviation = 0.1;  // of the value, or in units where that is 0
 
 const Parameter* parameter_of(const Scenario& scenario, const std::string& key) {
   return find_parameter(key.substr(0, key.find('[')), scenario);
@@ -116,6 +117,13 @@ std::vector<Scatter> possible_scatters(const Scenario& scenario, const std::stri
   return {Scatter::uniform, Scatter::normal, Scatter::factor};
 }
 
+double usual_spread(const Scenario& scenario, const std::string& key) {
+  const double value = std::abs(number_of(scenario, key).value_or(0));
+  if (value == 0) return kUsualDeviation;
+  // Three digits are enough for a guess.
+  return std::stod(fmt::format("{:.3g}", kUsualDeviation * value));
+}
+
 StudyDraft usual_draft(const Scenario& scenario) {
   StudyDraft draft;
   draft.estimate = {"smallest_gap", "escape_depth"};
@@ -123,8 +131,8 @@ StudyDraft usual_draft(const Scenario& scenario) {
     if (number_of(scenario, key)) draft.inputs.push_back({key, Scatter::uniform, kUsualOffset});
   }
   for (const char* key : {"target.mass", "contact.friction"}) {
-    const double value = number_of(scenario, key).value_or(0);
-    if (value > 0) draft.inputs.push_back({key, Scatter::normal, kUsualDeviation * value});
+    const double spread = usual_spread(scenario, key);
+    if (number_of(scenario, key).value_or(0) > 0) draft.inputs.push_back({key, Scatter::normal, spread});
   }
   return draft;
 }

@@ -48,6 +48,9 @@ std::vector<std::string> scatter_keys(const Scenario& scenario);
 // Ways in which one can.
 std::vector<Scatter> possible_scatters(const Scenario& scenario, const std::string& key);
 
+// A first guess: a tenth of the value.
+double usual_spread(const Scenario& scenario, const std::string& key);
+
 // A usual choice for a scenario: offset, mass and friction as far as it has them.
 StudyDraft usual_draft(const Scenario& scenario);
 

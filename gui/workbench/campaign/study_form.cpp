@@ -6,6 +6,7 @@
 #include <QCompleter>
 #include <QFormLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
 #include <QScrollArea>
@@ -17,7 +18,6 @@
 #include <thread>
 
 #include "engine/study/read_study.h"
-#include "engine/study/setting.h"
 #include "gui/workbench/campaign/scatter_row.h"
 #include "gui/workbench/editor/group_box.h"
 #include "gui/workbench/editor/number_edit.h"
@@ -26,7 +26,6 @@ namespace netpocket {
 namespace {
 
 constexpr double kUsualHalfWidth = 0.02;
-constexpr double kUsualShare = 0.1;  // of the value, for an input that is added
 constexpr Limits kHalfWidths{1e-4, 0.5};
 
 // What can be estimated besides the probability of capture: columns of a study's table.
@@ -225,9 +224,8 @@ void StudyForm::add_chosen_key() {
   const std::string key = keys_->currentData().toString().toStdString();
   const auto is_there = [&](const ScatterRow* row) { return row->input().key == key; };
   if (!key.empty() && std::ranges::none_of(rows_, is_there)) {
-    const double value = std::abs(number_of(document_.scenario(), key).value_or(0));
     const Scatter scatter = possible_scatters(document_.scenario(), key).front();
-    add_input({key, scatter, value > 0 ? kUsualShare * value : kUsualShare});
+    add_input({key, scatter, usual_spread(document_.scenario(), key)});
   }
   keys_->setCurrentIndex(-1);
   keys_->clearEditText();

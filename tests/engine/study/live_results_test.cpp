@@ -134,10 +134,10 @@ TEST(LiveResults, AreThoseOfTheFinishedTable) {
       EXPECT_EQ(same->values[row], column.values[at]) << column.name;
     }
   }
-  const ResultColumn* depth = results.find("escape_depth");
-  ASSERT_NE(depth, nullptr);
-  EXPECT_EQ(depth->unit, "m");
-  EXPECT_EQ(depth->values.size(), results.size());
+  const ResultColumn* speed = results.find("relative_speed_start");
+  ASSERT_NE(speed, nullptr);
+  EXPECT_EQ(speed->unit, "m/s");
+  EXPECT_EQ(speed->values.size(), results.size());
 }
 
 TEST(LiveResults, HaveTheAxesOfAGridAndCountWhatIsRefused) {
