@@ -13,7 +13,7 @@ namespace netpocket {
 
 Action declare_workbench(CLI::App& app) {
   const auto options = std::make_shared<WorkbenchOptions>();
-  app.add_option("FILE", options->file, "scenario (.toml) or recording (.h5) to open");
+  app.add_option("FILE", options->file, "scenario (.toml), recording (.h5) or folder of a study to open");
   app.add_option(
          "--presenter", options->presenter,
          "how the window draws: auto, opengl, or image: drawn in the background (default: as in the preferences)")
@@ -31,6 +31,7 @@ Examples:
   netpocket
   netpocket workbench scenarios/case2.toml
   netpocket workbench case1.h5
+  netpocket workbench campaign
 
 )" + exit_code_help({ExitCode::rendering}));
   return [options](const std::string&) {

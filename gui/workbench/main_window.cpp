@@ -14,6 +14,7 @@
 #include <algorithm>
 
 #include "engine/base/file_kind.h"
+#include "engine/study/study_folder.h"
 #include "gui/workbench/campaign/campaign_actions.h"
 #include "gui/workbench/control/control_actions.h"
 #include "gui/workbench/control/control_panel.h"
@@ -288,6 +289,10 @@ std::optional<Scenario> MainWindow::scenario_to_run() {
 
 void MainWindow::open(const QString& path) {
   show_notice({});
+  if (holds_study(path.toStdString())) {
+    start_page_->close_page();
+    return campaign_actions_->open_folder(path);
+  }
   if (is_recording(path)) {
     file_actions_->note_recent(path);
     session_->runs().open(path);

@@ -63,7 +63,7 @@ class MainWindow : public QMainWindow {
   explicit MainWindow(const WindowOptions& options);
   ~MainWindow() override;
 
-  // A scenario or a recording, by what the file holds. Problems are shown.
+  // A scenario or a recording, by what the file holds, or the folder of a study. Problems are shown.
   void open(const QString& path);
   // Ways to begin, over the whole window until something is opened.
   void show_start_page();

@@ -20,7 +20,7 @@
 namespace netpocket {
 namespace {
 
-constexpr std::size_t kInputsInCaption = 3;
+constexpr std::size_t kInputsInCaption = 2;
 
 // The last record of each point.
 std::map<std::size_t, RecordPlace> places_by_point(const std::string& folder) {
@@ -96,17 +96,19 @@ std::string outcome_text(double captured) {
 
 std::string value_text(const ResultColumn& column, std::size_t row) {
   const std::string unit = column.unit.empty() || column.unit == "1" ? "" : " " + column.unit;
-  return fmt::format("{} {:.3g}{}", column.name, column.values[row], unit);
+  const double value = column.values[row];
+  return fmt::format("{} {}{:.3g}{}", column.name, value < 0 ? "\u2212" : "", std::abs(value), unit);
 }
 
+// Outcome, the ranked value and the inputs that decide most, a line each.
 std::string capture_caption(const StudyResults& results, std::size_t row, const std::string& by) {
-  std::string text = fmt::format("Point {}: {}, {}\n", point_at_row(results, row), outcome_text(results.captured[row]),
+  std::string text = fmt::format("Point {}: {}\n{}", point_at_row(results, row), outcome_text(results.captured[row]),
                                  value_text(*results.find(by), row));
   std::size_t shown = 0;
   for (const InputInfluence& influence : input_influences(results)) {
     const ResultColumn& input = results.inputs[influence.input];
-    if (std::isnan(input.values[row]) || shown == kInputsInCaption) continue;
-    text += (shown++ == 0 ? "" : ", ") + value_text(input, row);
+    if (std::isnan(input.values[row]) || shown++ >= kInputsInCaption) continue;
+    text += "\n" + value_text(input, row);
   }
   return text;
 }

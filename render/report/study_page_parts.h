@@ -59,7 +59,7 @@ inline constexpr const char* kStudyPageScript = R"JS(
   };
   const ticks = ([low, high]) => {
     const rough = (high - low) / 5, power = Math.pow(10, Math.floor(Math.log10(rough)));
-    const step = [1, 2, 5, 10].map(f => f * power).find(s => s >= rough);
+    const step = [1, 2, 5, 10].map(f => f * power).find(s => s >= 0.7 * rough);
     const list = [];
     for (let i = Math.ceil(low / step); i * step <= high; ++i) list.push(i * step);
     return list;
