@@ -372,6 +372,8 @@ void MainWindow::bring_up(const char* dock) {
   auto* widget = findChild<QDockWidget*>(dock);
   widget->show();
   widget->raise();
+  // Tabs of a window that is not shown yet come up once it is.
+  QMetaObject::invokeMethod(widget, &QWidget::raise, Qt::QueuedConnection);
 }
 
 // Behind the scenario, which stays in front.

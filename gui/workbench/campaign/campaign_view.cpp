@@ -26,6 +26,7 @@ namespace {
 constexpr int kRedrawInterval = 300;    // ms, at least
 constexpr qint64 kRestPerDrawing = 10;  // times as long as drawing took
 constexpr int kRowsOfPoint = 10;        // lines of a point's values that are shown at once
+constexpr int kColumnsOfDistributions = 2;
 const QString kMap = QStringLiteral("map");
 
 // Names that are too long lose their middle, not the panel its width.
@@ -43,6 +44,14 @@ QLabel* make_text() {
   label->setWordWrap(true);
   label->setTextFormat(Qt::RichText);
   return label;
+}
+
+// Pixels, below which a picture is scrolled instead of being squeezed.
+QSize least_size(const QString& picture, const Figure& figure, int inputs) {
+  if (picture == "influence") return {300, 90 + 24 * inputs};
+  if (picture == "parallel_coordinates") return {90 + 70 * inputs, 220};
+  const int panels = static_cast<int>(figure.panels.size()), rows = (panels + figure.columns - 1) / figure.columns;
+  return {150 * figure.columns, 135 * rows};
 }
 
 QString problems_words(const LiveResults& results) {
@@ -67,7 +76,11 @@ CampaignView::CampaignView(QWidget* parent) : QWidget(parent) {
   figure_ = new StillFigure;
   stack_ = new QStackedWidget;
   stack_->addWidget(map_);
-  stack_->addWidget(figure_);
+  figure_frame_ = new QScrollArea;
+  figure_frame_->setWidget(figure_);
+  figure_frame_->setWidgetResizable(true);
+  figure_frame_->setFrameShape(QFrame::NoFrame);
+  stack_->addWidget(figure_frame_);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(4);
@@ -128,7 +141,6 @@ QWidget* CampaignView::make_chooser() {
   pictures_->addItem(tr("What decides"), "influence");
   pictures_->addItem(tr("Distributions"), "distributions");
   pictures_->addItem(tr("Parallel coordinates"), "parallel_coordinates");
-  pictures_->addItem(tr("Pairs of inputs"), "scatter_matrix");
   x_axis_ = make_named_choice(tr("Input to the right"), tr("The input to the right"));
   y_axis_ = make_named_choice(tr("Input upwards"), tr("The input upwards"));
   axes_ = new QWidget;
@@ -192,7 +204,7 @@ void CampaignView::set_campaign(Campaign* campaign) {
     y_axis_->clear();
   }
   if (campaign_ != nullptr) {
-    connect(campaign_, &Campaign::changed, this, &CampaignView::refresh_state);
+    connect(campaign_, &Campaign::changed, this, &CampaignView::refresh_results);
     connect(campaign_, &Campaign::points_came, this, [this] {
       if (!throttle_.isActive()) throttle_.start();
     });
@@ -247,7 +259,7 @@ void CampaignView::refresh_results() {
   estimate_->setVisible(results != nullptr);
   show_picture();
   refresh_state();
-  if (stack_->currentWidget() == figure_) figure_->repaint();
+  if (stack_->currentWidget() == figure_frame_) figure_->repaint();
   throttle_.setInterval(static_cast<int>(std::max<qint64>(kRedrawInterval, kRestPerDrawing * time.elapsed())));
 }
 
@@ -282,11 +294,15 @@ void CampaignView::show_picture() {
   const QString picture = pictures_->currentData().toString();
   const bool is_map = picture == kMap;
   axes_->setVisible(is_map);
-  stack_->setCurrentWidget(is_map ? static_cast<QWidget*>(map_) : figure_);
+  stack_->setCurrentWidget(is_map ? static_cast<QWidget*>(map_) : figure_frame_);
   show_chosen();
   const LiveResults* results = campaign_ != nullptr ? campaign_->results() : nullptr;
   if (is_map || results == nullptr) return;
-  figure_->set_figure(make_study_figure(picture.toStdString(), results->results()));
+  Figure figure = make_study_figure(picture.toStdString(), results->results());
+  const int inputs = static_cast<int>(results->results().inputs.size());
+  if (picture == "distributions") figure.columns = kColumnsOfDistributions;
+  const QSize least = least_size(picture, figure, inputs);
+  figure_->set_figure(std::move(figure), least);
 }
 
 void CampaignView::show_chosen() {

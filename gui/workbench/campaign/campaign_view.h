@@ -15,6 +15,7 @@ class QFrame;
 class QLabel;
 class QProgressBar;
 class QPushButton;
+class QScrollArea;
 class QStackedWidget;
 
 namespace netpocket {
@@ -74,6 +75,7 @@ class CampaignView : public QWidget {
   QStackedWidget* stack_;
   CaptureMapView* map_;
   StillFigure* figure_;
+  QScrollArea* figure_frame_;
   QFrame* details_;
   QLabel* point_;
   QPushButton *open_, *adopt_;

@@ -9,9 +9,10 @@ StillFigure::StillFigure(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Figure of the campaign"));
 }
 
-void StillFigure::set_figure(Figure figure) {
+void StillFigure::set_figure(Figure figure, const QSize& least) {
   figure_ = std::move(figure);
   figure_.title.clear();
+  setMinimumSize(least);
   update();
 }
 

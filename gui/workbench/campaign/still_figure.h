@@ -12,10 +12,8 @@ class StillFigure : public QWidget {
  public:
   explicit StillFigure(QWidget* parent = nullptr);
 
-  // Its title is not drawn.
-  void set_figure(Figure figure);
-
-  QSize minimumSizeHint() const override { return {220, 200}; }
+  // Its title is not drawn. `least`: pixels below which it cannot be read.
+  void set_figure(Figure figure, const QSize& least);
 
  protected:
   void paintEvent(QPaintEvent* event) override;

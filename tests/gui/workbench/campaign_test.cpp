@@ -170,7 +170,8 @@ TEST_F(CampaignTest, IsDefinedRunAndShown) {
   EXPECT_TRUE(view().state_text().startsWith("Running: ")) << view().state_text().toStdString();
   ASSERT_TRUE(wait_for_end());
   ASSERT_TRUE(wait_until([&] { return view().state_text().startsWith("Done: 10 of 10 points"); }));
-  EXPECT_TRUE(view().estimate_text().contains("of 10 captured")) << view().estimate_text().toStdString();
+  EXPECT_TRUE(wait_until([&] { return view().estimate_text().contains("of 10 captured"); }))
+      << view().estimate_text().toStdString();
   EXPECT_TRUE(QFile::exists(file("campaign/study.csv")));
   EXPECT_TRUE(QFile::exists(file("campaign/study_estimates.csv")));
   EXPECT_FALSE(view().stop_button()->isEnabled());

@@ -57,7 +57,7 @@ TEST(SectorVariation, MaterialsAreThoseOfTheirRodAndPanel) {
     rods += is_third || is_eighth ? 1 : 0;
     cords += is_panel ? 1 : 0;
   }
-  EXPECT_GT(rods, 8);
+  EXPECT_EQ(rods, 2 * 4);
   EXPECT_GT(cords, 8);
   EXPECT_EQ(even.model.materials.size(), 4u);
   EXPECT_EQ(scattered.model.materials.size(), 4u + 2 + 2 + 1);
@@ -81,7 +81,8 @@ TEST(SectorVariation, AWeakRodBendsFurther) {
   scenario.target.position.y() = 40;
   const auto radii = radius_of_tips(scenario);
   for (std::size_t rod = 0; rod < radii.size(); ++rod) {
-    if (rod != 2) EXPECT_LT(radii[2], radii[rod] - 0.01) << "rod " << rod + 1;
+    if (rod == 2) continue;
+    EXPECT_LT(radii[2], radii[rod] - 0.01) << "rod " << rod + 1;
   }
 }
 
