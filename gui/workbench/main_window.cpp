@@ -12,6 +12,7 @@
 #include <QSplitter>
 #include <QUrl>
 #include <algorithm>
+#include <utility>
 
 #include "engine/base/file_kind.h"
 #include "engine/study/study_folder.h"
@@ -372,8 +373,15 @@ void MainWindow::bring_up(const char* dock) {
   auto* widget = findChild<QDockWidget*>(dock);
   widget->show();
   widget->raise();
-  // Tabs of a window that is not shown yet come up once it is.
-  QMetaObject::invokeMethod(widget, &QWidget::raise, Qt::QueuedConnection);
+  if (!isVisible()) raised_ = widget;
+}
+
+// Tabs come up only in a window that is shown and laid out.
+void MainWindow::showEvent(QShowEvent* event) {
+  QMainWindow::showEvent(event);
+  if (QWidget* dock = std::exchange(raised_, nullptr)) {
+    QMetaObject::invokeMethod(dock, &QWidget::raise, Qt::QueuedConnection);
+  }
 }
 
 // Behind the scenario, which stays in front.

@@ -109,6 +109,7 @@ class MainWindow : public QMainWindow {
   void apply_preferences(const Preferences& preferences);
 
  protected:
+  void showEvent(QShowEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
@@ -184,6 +185,7 @@ class MainWindow : public QMainWindow {
   Presentation* presentation_ = nullptr;
   StartPage* start_page_ = nullptr;
   FirstCapture* first_capture_ = nullptr;
+  QWidget* raised_ = nullptr;  // dock that is to be in front once the window is shown
   bool scenario_notice_ = false;
   PresenterKind presenter_;
   ViewHistory history_;  // of the first view

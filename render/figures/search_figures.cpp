@@ -52,19 +52,22 @@ Figure optimisation_figure(const StudyResults& results) {
              &feasible = column_of(results.optimisation, "is_feasible"),
              &best = column_of(results.optimisation, "best_so_far");
   if (generation.empty() || objective.size() != generation.size()) return figure;
-  Curve meets = scatter(kSkyBlue, "meets the constraints"), misses = scatter(kVermillion, "does not"),
+  Curve meets = scatter(kSkyBlue, "meets the constraints"), misses = scatter(kVermillion, "does not meet them"),
         amount = scatter(kVermillion, "");
   bool is_constrained = false;
   for (std::size_t i = 0; i < generation.size(); ++i) {
     add_point(feasible[i] == 1 ? meets : misses, generation[i], objective[i]);
-    add_point(amount, generation[i], violation[i]);
+    if (feasible[i] == 0) add_point(amount, generation[i], violation[i]);
     is_constrained = is_constrained || feasible[i] == 0;
   }
   if (!is_constrained) meets.label = "candidate";
   const std::string name = results.objective.empty() ? "Objective" : plain_text(results.objective);
-  figure.panels = {panel_of("Generation", name, {misses, meets, best_by_generation(generation, best)})};
+  figure.panels = {panel_of("Generation", name, {meets, misses, best_by_generation(generation, best)})};
+  const AxisLimits shown{generation.front() - 0.5, generation.back() + 0.5};
+  figure.panels[0].x.limits = shown;
   if (!is_constrained) return figure;
   figure.panels.push_back(panel_of("Generation", "Violation of the constraints", {amount}));
+  figure.panels[1].x.limits = shown;
   figure.height_mm = 150;
   return figure;
 }

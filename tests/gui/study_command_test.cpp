@@ -160,13 +160,16 @@ TEST(Study, CampaignEndsWithAnEstimateAndIsDrawn) {
 }
 
 constexpr const char* kFiveDraws = R"(
+target.radius = 3
+closing.duration = 0.8
+towing.mode = "none"
 [uncertain]
 target.mass = { distribution = "normal", mean = 200, deviation = 20 }
 "target.position[0]" = { distribution = "uniform", min = -0.2, max = 0.2 }
 )";
 
 std::string write_campaign(const TestFolder& folder) {
-  const std::string study = write_study(folder, 0.05, kFiveDraws);
+  const std::string study = write_study(folder, 2, kFiveDraws);
   const std::string text = "sampling = \"sobol\"\nsamples = 5\n" + text_of(study);
   return folder.write("study.toml", text);
 }

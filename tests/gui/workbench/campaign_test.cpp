@@ -209,6 +209,12 @@ TEST_F(CampaignTest, OpensAFolderThatSomebodyElseMade) {
   ASSERT_TRUE(wait_until([&] { return rows() == 10; }));
   ASSERT_TRUE(wait_until([&] { return view().state_text().startsWith("Done: 10 of 10"); }));
   EXPECT_FALSE(view().state_text().contains("minute")) << "nothing was run";
+  // Also in a window that begins with it: the panel is in front.
+  window_.reset();
+  window_ = std::make_unique<MainWindow>(options_);
+  window_->open(file("campaign"));
+  window_->show();
+  ASSERT_TRUE(wait_until([&] { return rows() == 10 && !view().visibleRegion().isEmpty(); }));
   actions().open_folder(folder_.path());
   EXPECT_TRUE(panel().problem().contains("holds no study")) << panel().problem().toStdString();
   EXPECT_NE(actions().campaign(), nullptr) << "what was there stays";
