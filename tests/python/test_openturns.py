@@ -76,7 +76,7 @@ def test_quantiles_are_those_of_openturns(tmp_path: pathlib.Path) -> None:
         value = exact.computeQuantilePerComponent(float(row["statistic"].removeprefix("quantile_")))[0]
         assert float(row["lower"]) <= value <= float(row["upper"]), row
         # Sobol points are far more even than those that the interval reckons with.
-        assert float(row["value"]) == pytest.approx(value, rel=0.02)
+        assert float(row["value"]) == pytest.approx(value, rel=0.04)
 
 
 def test_rare_failures_are_those_of_openturns(tmp_path: pathlib.Path) -> None:

@@ -57,7 +57,7 @@ def test_pandas_reads_the_tables(study: pathlib.Path) -> None:
 def test_hdf5_holds_the_table_with_units(study: pathlib.Path) -> None:
     h5py = pytest.importorskip("h5py")
     pandas = pytest.importorskip("pandas")
-    table = pandas.read_csv(study / "one" / "study.csv")
+    table = pandas.read_csv(study / "one" / "study.csv", float_precision="round_trip")
     columns = pandas.read_csv(study / "one" / "study_columns.csv", index_col="name", keep_default_na=False)
     with h5py.File(study / "one" / "study.h5") as file:
         stored = {name: data.asstr()[:] if data.dtype.kind == "S" else data[:] for name, data in file["table"].items()}
