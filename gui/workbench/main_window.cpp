@@ -372,11 +372,14 @@ void MainWindow::show_second_view(bool shown) {
 void MainWindow::bring_up(const char* dock) {
   auto* widget = findChild<QDockWidget*>(dock);
   widget->show();
-  widget->raise();
-  if (!isVisible()) raised_ = widget;
+  if (isVisible()) {
+    widget->raise();
+  } else {
+    raised_ = widget;
+  }
 }
 
-// Tabs come up only in a window that is shown and laid out.
+// Tabs come up only in a window that is shown and laid out; raised a second time they would not.
 void MainWindow::showEvent(QShowEvent* event) {
   QMainWindow::showEvent(event);
   if (QWidget* dock = std::exchange(raised_, nullptr)) {

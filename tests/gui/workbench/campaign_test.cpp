@@ -2,6 +2,7 @@
 // it is taken over into the window.
 
 #include <QAction>
+#include <QApplication>
 #include <QComboBox>
 #include <QDir>
 #include <QDockWidget>
@@ -263,6 +264,24 @@ TEST_F(CampaignTest, ACaptureIsOpenedAndMadeTheScenario) {
   EXPECT_EQ(results.points[*view().map()->chosen()], 2);
   QTest::keyClick(view().map(), Qt::Key_Escape);
   EXPECT_FALSE(view().map()->chosen());
+}
+
+TEST_F(CampaignTest, FollowsADarkDesktop) {
+  ASSERT_TRUE(run_campaign());
+  ASSERT_TRUE(wait_for_end());
+  ASSERT_TRUE(wait_until([&] { return view().map()->x() != nullptr; }));
+  const auto corner = [&] { return view().map()->grab().toImage().pixelColor(2, 2).lightness(); };
+  EXPECT_GT(corner(), 200);
+  const QPalette light = QApplication::palette();
+  QPalette dark(QColor(45, 48, 54), QColor(38, 41, 46));
+  dark.setColor(QPalette::Base, QColor(30, 32, 36));
+  QApplication::setPalette(dark);
+  EXPECT_TRUE(wait_until([&] { return corner() < 60; }));
+  view().map()->choose(2);
+  screenshot("campaign_dark");
+  view().leave_button()->click();
+  screenshot("campaign_form_dark");
+  QApplication::setPalette(light);
 }
 
 TEST_F(CampaignTest, TheWindowAsksBeforeItStopsOne) {
