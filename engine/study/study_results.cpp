@@ -63,6 +63,28 @@ std::vector<ResultColumn> read_columns(const std::string& path, std::map<std::st
   return columns;
 }
 
+// Rows of the first group and variant only.
+void read_sensitivity(const std::string& folder, StudyResults& results) {
+  const std::string path = folder + "/study_sensitivity.csv";
+  std::ifstream file(path);
+  std::string line;
+  if (!std::getline(file, line)) return;
+  const std::vector<std::string> header = csv_cells(line);
+  const std::size_t of = place_of(header, "of", path), input = place_of(header, "input", path);
+  for (const std::string& name : header) results.sensitivity.push_back({name, "1", {}});
+  std::string group;
+  while (std::getline(file, line)) {
+    const std::vector<std::string> cells = csv_cells(line);
+    if (cells.size() != header.size()) throw FileError(fmt::format("\"{}\" has a damaged row: {}", path, line));
+    const std::string its_group = cells[0] + "\n" + cells[1];
+    if (group.empty()) group = its_group;
+    if (its_group != group) break;
+    results.sensitivity_inputs.push_back(cells[input]);
+    results.sensitivity_of = cells[of];
+    for (std::size_t i = 0; i < cells.size(); ++i) results.sensitivity[i].values.push_back(csv_number(cells[i]));
+  }
+}
+
 void read_search_results(const std::string& folder, std::map<std::string, std::string>& units, StudyResults& results) {
   results.optimisation = read_columns(folder + "/study_optimisation.csv", units);
   results.rare = read_columns(folder + "/study_rare.csv", units);
@@ -106,6 +128,7 @@ StudyResults read_study_results(const std::string& folder) {
   for (std::size_t i = draw + 1; i < columns.size(); ++i) {
     if (has_numbers(columns[i])) (i < variant ? results.inputs : results.measures).push_back(std::move(columns[i]));
   }
+  read_sensitivity(folder, results);
   read_search_results(folder, units, results);
   return results;
 }

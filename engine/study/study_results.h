@@ -14,13 +14,16 @@ struct ResultColumn {
 
 // Rows of runs; refused points are left out.
 struct StudyResults {
-  std::vector<ResultColumn> inputs;        // settings that differ and uncertain values, as far as they are numbers
-  std::vector<ResultColumn> measures;      // numbers of the summary and metrics
-  std::vector<double> points;              // 1, 2, ...
-  std::vector<double> captured;            // 1 or 0; NaN where it was not judged
-  std::vector<ResultColumn> optimisation;  // columns of study_optimisation.csv of a search that came to its end
-  std::vector<ResultColumn> rare;          // of study_rare.csv, likewise
-  std::string objective, failure;          // as the study's manifest has them
+  std::vector<ResultColumn> inputs;             // settings that differ and uncertain values, as far as they are numbers
+  std::vector<ResultColumn> measures;           // numbers of the summary and metrics
+  std::vector<double> points;                   // 1, 2, ...
+  std::vector<double> captured;                 // 1 or 0; NaN where it was not judged
+  std::vector<ResultColumn> sensitivity;        // columns of study_sensitivity.csv, of the first group and variant
+  std::vector<std::string> sensitivity_inputs;  // names, by row of these columns
+  std::string sensitivity_of;                   // column that the indices are of
+  std::vector<ResultColumn> optimisation;       // columns of study_optimisation.csv of a search that came to its end
+  std::vector<ResultColumn> rare;               // of study_rare.csv, likewise
+  std::string objective, failure;               // as the study's manifest has them
 
   std::size_t size() const { return points.size(); }
   // Null when there is no such input or measure.

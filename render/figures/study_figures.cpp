@@ -12,6 +12,7 @@
 #include "render/figures/capture_map.h"
 #include "render/figures/rich_text.h"
 #include "render/figures/search_figures.h"
+#include "render/figures/sensitivity_figure.h"
 #include "render/figures/study_curves.h"
 
 namespace netpocket {
@@ -234,6 +235,7 @@ const std::vector<std::pair<std::string, MakeStudyFigure>> kStudyFigures = {
     {"influence", influence},
     {"parallel_coordinates", parallel_coordinates},
     {"scatter_matrix", scatter_matrix},
+    {"sensitivity", sensitivity_figure},
     {"optimisation", optimisation_figure},
     {"rare_failure", rare_failure_figure}};
 
@@ -251,7 +253,8 @@ const std::vector<std::string>& study_figure_names() {
 std::vector<std::string> suitable_study_figures(const StudyResults& results) {
   std::vector<std::string> names = study_figure_names();
   std::erase_if(names, [&results](const std::string& name) {
-    return (name == "optimisation" && results.optimisation.empty()) || (name == "rare_failure" && results.rare.empty());
+    return (name == "sensitivity" && results.sensitivity.empty()) ||
+           (name == "optimisation" && results.optimisation.empty()) || (name == "rare_failure" && results.rare.empty());
   });
   return names;
 }

@@ -20,6 +20,7 @@ namespace netpocket {
 //   influence             what each input decides: the probability of capture where it is large and where it is small
 //   parallel_coordinates  each capture as a line over the inputs
 //   scatter_matrix        captures over each pair of the inputs that decide most
+//   sensitivity           of a study with [sensitivity]: its indices, or what its screening found
 //   optimisation          of a study that searches: its candidates by generation, and the best so far
 //   rare_failure          of a study of a rare failure: the probabilities of its levels, with intervals
 const std::vector<std::string>& study_figure_names();

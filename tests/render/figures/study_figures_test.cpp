@@ -130,6 +130,29 @@ TEST(StudyFigures, SearchesHaveFiguresOfTheirOwn) {
   EXPECT_EQ(panel.y.names[1].name, "10^{−2}");
 }
 
+TEST(StudyFigures, IndicesAreATornado) {
+  StudyResults results = published();
+  results.sensitivity = {{"first", "1", {0.2, 0.6}},       {"first_lower", "1", {0.1, 0.5}},
+                         {"first_upper", "1", {0.3, 0.7}}, {"total", "1", {0.25, 0.7}},
+                         {"total_lower", "1", {0.1, 0.6}}, {"total_upper", "1", {0.4, 0.8}}};
+  results.sensitivity_inputs = {"target.mass", "contact.friction"};
+  results.sensitivity_of = "captured";
+  const std::vector<std::string> names = suitable_study_figures(results);
+  EXPECT_EQ(std::ranges::count(names, "sensitivity"), 1);
+  const Panel panel = make_study_figure("sensitivity", results).panels[0];
+  ASSERT_EQ(panel.y.names.size(), 2u);
+  EXPECT_EQ(panel.y.names[0].name, plain_text("contact.friction")) << "the greater one comes first";
+  ASSERT_EQ(panel.curves.size(), 8u);
+  EXPECT_EQ(panel.curves[0].x, (std::vector<double>{0, 0.7}));
+  EXPECT_EQ(panel.curves[1].x, (std::vector<double>{0.6, 0.8}));
+  EXPECT_EQ(panel.curves[2].x, (std::vector<double>{0, 0.6}));
+
+  results.sensitivity = {{"mean", "1", {1, -2}}, {"mean_absolute", "1", {1, 2}}, {"deviation", "1", {0.5, 3}}};
+  const Panel screening = make_study_figure("sensitivity", results).panels[0];
+  ASSERT_EQ(screening.curves.size(), 4u) << "without intervals";
+  EXPECT_EQ(screening.curves[0].x, (std::vector<double>{0, 2}));
+}
+
 TEST(WorstCaptures, AreThoseOfTheRanking) {
   StudyResults results;
   results.measures = {{"depth", "m", {0.5, -1, kUnknown, 2, -3, 0.6}}};
