@@ -114,7 +114,8 @@ Image make_contact_sheet(const std::vector<SheetPanel>& panels, const SheetLayou
     width = std::max(width, panel.image.width);
     height = std::max(height, panel.image.height);
   }
-  const int caption_height = layout.caption_size * (1 + 2 * most_lines(panels)) / 2;
+  const int line_height = layout.caption_size * 6 / 5;
+  const int caption_height = layout.caption_size * 3 / 2 + line_height * (most_lines(panels) - 1);
   const int step_x = width + layout.margin, step_y = height + caption_height + layout.margin;
   const int head = layout.margin + (layout.headings.empty() ? 0 : 2 * layout.caption_size);
 
@@ -145,7 +146,7 @@ Image make_contact_sheet(const std::vector<SheetPanel>& panels, const SheetLayou
     double baseline = top + height + 1.15 * layout.caption_size;
     for (const std::string& line : lines_of(caption)) {
       draw_caption(context.get(), line, caption_style, left + image.width / 2.0, baseline);
-      baseline += layout.caption_size;
+      baseline += line_height;
     }
   }
   cairo_surface_flush(surface.get());
