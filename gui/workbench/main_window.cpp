@@ -487,7 +487,8 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
 
 void MainWindow::changeEvent(QEvent* event) {
   QMainWindow::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange && view_actions_) view_actions_->follow_theme();
+  if ((event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) && view_actions_)
+    view_actions_->follow_theme();
 }
 
 }  // namespace netpocket

@@ -11,6 +11,7 @@
 #include "gui/workbench/action_icons.h"
 #include "gui/workbench/panels/engine_words.h"
 #include "gui/workbench/panels/tones.h"
+#include "gui/workbench/panels/window_look.h"
 #include "gui/workbench/viewport/camera_names.h"
 #include "render/scene/color_scale.h"
 
@@ -44,7 +45,6 @@ ViewActions::ViewActions(Viewport& viewport, QSettings& settings, QWidget* windo
     : QObject(window), viewport_(viewport), settings_(settings) {
   options_.color_by = static_cast<ColorBy>(std::clamp(settings.value("view/color_by", 0).toInt(), 0, 4));
   ground_ = static_cast<Ground>(std::clamp(settings.value("view/ground", 0).toInt(), 0, 2));
-  options_.annotation_scale = kAnnotationScale;
   options_.legend_ground = true;
   options_.fast_smoothing = true;
   apply();
@@ -224,7 +224,7 @@ void ViewActions::set_phases(const std::vector<Phase>& phases) {
 }
 
 void ViewActions::set_annotation_scale(double scale) {
-  options_.annotation_scale = kAnnotationScale * scale;
+  annotation_scale_ = scale;
   apply();
 }
 
@@ -232,6 +232,7 @@ void ViewActions::follow_theme() { apply(); }
 
 void ViewActions::apply() {
   const bool dark = ground_ == Ground::space || (ground_ == Ground::theme && is_dark(QApplication::palette()));
+  options_.annotation_scale = kAnnotationScale * annotation_scale_ * type_scale();
   options_.background = dark ? Background::space : Background::white;
   options_.legend_title = engine_words(color_label(options_.color_by)).toStdString();
   viewport_.set_options(options_);

@@ -23,7 +23,7 @@ class ViewActions : public QObject {
   void set_phases(const std::vector<Phase>& phases);
   // Of labels, legend, scale bar and axes, against the usual size.
   void set_annotation_scale(double scale);
-  // Light or dark of the window has changed.
+  // Light or dark of the window, or the size of its letters, has changed.
   void follow_theme();
   const SceneOptions& options() const { return options_; }
   QAction* move_action() const { return move_; }
@@ -52,6 +52,7 @@ class ViewActions : public QObject {
   Viewport& viewport_;
   QSettings& settings_;
   SceneOptions options_;
+  double annotation_scale_ = 1;
   Ground ground_ = Ground::theme;
   QAction* follow_ = nullptr;
   QAction* move_ = nullptr;

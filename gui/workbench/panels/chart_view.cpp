@@ -9,6 +9,7 @@
 
 #include "gui/workbench/panels/focus_frame.h"
 #include "gui/workbench/panels/tones.h"
+#include "gui/workbench/panels/window_look.h"
 
 namespace netpocket {
 namespace {
@@ -80,9 +81,11 @@ Figure ChartView::shown_figure() const {
 
 int ChartView::fitting_columns() const {
   const int wanted = std::max(figure_.columns, 1), count = static_cast<int>(figure_.panels.size());
-  int columns = std::clamp(width() / panel_width_, 1, wanted);
-  const auto row_height = [&] { return height() / std::max(1, (count + columns - 1) / columns); };
-  while (columns < wanted && row_height() < kFlatRow && width() / (columns + 1) >= kNarrowPanel) ++columns;
+  // Larger letters need more room.
+  const int across = static_cast<int>(width() / type_scale()), down = static_cast<int>(height() / type_scale());
+  int columns = std::clamp(across / panel_width_, 1, wanted);
+  const auto row_height = [&] { return down / std::max(1, (count + columns - 1) / columns); };
+  while (columns < wanted && row_height() < kFlatRow && across / (columns + 1) >= kNarrowPanel) ++columns;
   return columns;
 }
 
@@ -147,7 +150,7 @@ void ChartView::paintEvent(QPaintEvent*) {
     return;
   }
   if (stale_) {
-    drawn_ = figure_image(shown_figure(), size(), devicePixelRatioF(), palette());
+    drawn_ = figure_image(shown_figure(), size(), devicePixelRatioF(), palette(), type_scale());
     stale_ = false;
   }
   painter.drawImage(QPoint(0, 0), drawn_.image);
@@ -174,7 +177,7 @@ void ChartView::draw_placeholder(QPainter& painter) const {
 void ChartView::resizeEvent(QResizeEvent*) { redraw(); }
 
 void ChartView::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::PaletteChange) redraw();
+  if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) redraw();
   QWidget::changeEvent(event);
 }
 

@@ -60,7 +60,9 @@ QColor mirrored_lightness(const QColor& colour) {
   return {colour.red() + shift, colour.green() + shift, colour.blue() + shift};
 }
 
-FigureImage figure_image(const Figure& figure, const QSize& size, double device_pixel_ratio, const QPalette& palette) {
+FigureImage figure_image(const Figure& figure, const QSize& size, double device_pixel_ratio, const QPalette& palette,
+                         double scale) {
+  const double pixels_per_point = scale / kPointsPerPixel;
   const QSize pixels = (QSizeF(size) * device_pixel_ratio).toSize().expandedTo({1, 1});
   FigureImage result;
   result.image = QImage(pixels, QImage::Format_RGB32);  // the layout of Cairo's RGB24
@@ -70,13 +72,13 @@ FigureImage figure_image(const Figure& figure, const QSize& size, double device_
                                             static_cast<int>(result.image.bytesPerLine())),
         &cairo_surface_destroy);
     const std::unique_ptr<cairo_t, decltype(&cairo_destroy)> context(cairo_create(surface.get()), &cairo_destroy);
-    const double scale = device_pixel_ratio / kPointsPerPixel;
+    const double unit = device_pixel_ratio * pixels_per_point;
     cairo_set_antialias(context.get(), CAIRO_ANTIALIAS_FAST);  // spiky curves in half the time
-    cairo_scale(context.get(), scale, scale);
-    result.panels = draw_figure(figure, context.get(), pixels.width() / scale, pixels.height() / scale);
+    cairo_scale(context.get(), unit, unit);
+    result.panels = draw_figure(figure, context.get(), pixels.width() / unit, pixels.height() / unit);
     cairo_surface_flush(surface.get());
   }
-  for (PanelFrame& panel : result.panels) panel.box = scaled(panel.box, 1 / kPointsPerPixel);
+  for (PanelFrame& panel : result.panels) panel.box = scaled(panel.box, pixels_per_point);
   adapt_to_palette(result.image, palette);
   result.image.setDevicePixelRatio(device_pixel_ratio);
   return result;

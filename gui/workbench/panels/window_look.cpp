@@ -9,6 +9,7 @@ namespace netpocket {
 namespace {
 
 constexpr double kScales[] = {1, 1.25, 1.5};
+double used_scale = 1;
 
 // What can be read on what: grounds, letters on them, and the same paler where nothing can be done.
 struct Colours {
@@ -39,10 +40,13 @@ QPalette palette_of(const Colours& colours) {
 
 }  // namespace
 
+double type_scale() { return used_scale; }
+
 void use_type_size(TypeSize size) {
   static const QFont usual = QApplication::font();
   QFont font = usual;
-  font.setPointSizeF(kScales[static_cast<int>(size)] * usual.pointSizeF());
+  used_scale = kScales[static_cast<int>(size)];
+  font.setPointSizeF(used_scale * usual.pointSizeF());
   if (font != QApplication::font()) QApplication::setFont(font);
 }
 

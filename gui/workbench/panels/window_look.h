@@ -9,6 +9,8 @@ enum class Theme { system, light, dark };
 
 // Letters of the desktop's size, or larger ones.
 void use_type_size(TypeSize size);
+// Of the letters in use against the desktop's: what draws its letters itself makes them as large.
+double type_scale();
 
 // `system` leaves colours and style to the desktop.
 void use_theme(Theme theme);

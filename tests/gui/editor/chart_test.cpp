@@ -157,6 +157,14 @@ TEST(FigureImage, TakesTheGroundOfThePalette) {
   EXPECT_EQ(figure_image(straight_line(), {200, 150}, 1, light).image.pixelColor(1, 1), QColor(250, 250, 245));
 }
 
+TEST(FigureImage, LargerLettersTakeMoreOfThePicture) {
+  const FigureImage usual = figure_image(straight_line(), {400, 300}, 1, QPalette());
+  const FigureImage large = figure_image(straight_line(), {400, 300}, 1, QPalette(), 1.5);
+  EXPECT_EQ(large.image.size(), usual.image.size());
+  EXPECT_GT(large.panels[0].box.x, 1.2 * usual.panels[0].box.x);
+  EXPECT_LT(large.panels[0].box.bottom(), usual.panels[0].box.bottom());
+}
+
 TEST(FigureImage, MirroredLightnessKeepsTheHue) {
   for (const QColor& colour : {QColor(0, 114, 178), QColor(213, 94, 0), QColor(200, 36, 32)}) {
     const QColor mirrored = mirrored_lightness(colour);

@@ -7,6 +7,7 @@
 #include "gui/workbench/dialogs/preferences_dialog.h"
 #include "gui/workbench/panels/tones.h"
 #include "gui/workbench/start/start_page.h"
+#include "gui/workbench/view_actions.h"
 #include "tests/gui/plain_desktop.h"
 #include "tests/gui/workbench/window_fixture.h"
 
@@ -109,12 +110,14 @@ TEST_F(WindowTest, PreferencesDialogGivesBackLooksAndPictures) {
 }
 
 TEST_F(WindowTest, TypeSizeAndColoursActAtOnceAndAfterARestart) {
-  const double usual = window_->font().pointSizeF();
+  const double usual = window_->font().pointSizeF(), view_scale = window_->view_actions().options().annotation_scale;
   const auto looks = [&](double scale, bool dark) {
     return std::abs(window_->font().pointSizeF() - scale * usual) < 1e-6 && is_dark(window_->palette()) == dark;
   };
   window_->apply_preferences({.ask_about_runs = false, .type_size = TypeSize::largest, .theme = Theme::dark});
   EXPECT_TRUE(wait_until([&] { return looks(1.5, true); }, 5));
+  // So do letters that are not the window system's: those of the view and the plots.
+  EXPECT_NEAR(window_->view_actions().options().annotation_scale, 1.5 * view_scale, 1e-9);
   reopen();
   EXPECT_TRUE(looks(1.5, true));
   screenshot("dark_and_large");
