@@ -202,6 +202,8 @@ void StudyForm::set_draft(const StudyDraft& draft) {
 
 int StudyForm::jobs() const { return jobs_->value(); }
 
+void StudyForm::set_jobs(int jobs) { jobs_->setValue(jobs); }
+
 void StudyForm::add_input(const DraftInput& input) {
   auto* row = new ScatterRow(input, document_.scenario());
   connect(row, &ScatterRow::remove_requested, this, [this, row] {

@@ -31,6 +31,7 @@ class StudyForm : public QWidget {
   void set_draft(const StudyDraft& draft);
   void add_input(const DraftInput& input);
   int jobs() const;
+  void set_jobs(int jobs);
 
   const std::vector<ScatterRow*>& rows() const { return rows_; }
   QSpinBox* samples() const { return samples_; }
