@@ -71,8 +71,6 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, std::size_t
                             "pockets of the usual size.")));
   form->addRow(tr("&Drawing:"), presenter_);
   form->addRow(QString(), make_note(tr("From the next start on.")));
-  form->addRow(tr("&Language:"), language_);
-  form->addRow(QString(), make_note(tr("Of the window, from the next start on. Commands and files stay English.")));
   form->addRow(QString(), ask_);
   auto* buttons =
       new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel | QDialogButtonBox::RestoreDefaults);
@@ -117,6 +115,8 @@ QWidget* PreferencesDialog::make_window_page() {
   auto* folder_label = new QLabel(tr("F&older for new files:"));
   folder_label->setBuddy(folder_);
   form->addRow(folder_label, folder_row);
+  form->addRow(tr("&Language:"), language_);
+  form->addRow(QString(), make_note(tr("Of the window, from the next start on. Commands and files stay English.")));
   return page;
 }
 
