@@ -91,8 +91,8 @@ TEST(ParameterTable, DeclaresEveryMember) {
     EXPECT_EQ(count("target"), 22u);
   }
   {
-    [[maybe_unused]] const auto& [a, b, c, e, f, g] = contact;
-    EXPECT_EQ(count("contact"), 6u);
+    [[maybe_unused]] const auto& [a, b, c, e, f, g, h] = contact;
+    EXPECT_EQ(count("contact"), 7u);
   }
   {
     [[maybe_unused]] const auto& [a, b, c, e, f, g, h, i] = closing;
