@@ -164,7 +164,7 @@ void MainWindow::make_menus(const WindowOptions& options) {
   edit->addSeparator();
   auto* preferences = edit->addAction(tr("Preferences…"), QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_P), this,
                                       &MainWindow::ask_for_preferences);
-  preferences->setStatusTip(tr("Type size, colours, folders, pictures, memory, drawing"));
+  preferences->setStatusTip(tr("Type size, colours, language, folders, pictures, memory, drawing"));
   preferences->setMenuRole(QAction::PreferencesRole);
 
   bar->addSeparator();

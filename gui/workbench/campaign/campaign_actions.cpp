@@ -13,6 +13,7 @@
 #include "engine/study/read_study.h"
 #include "gui/workbench/editor/edit_command.h"
 #include "gui/workbench/panels/ask_for_file.h"
+#include "gui/workbench/panels/engine_words.h"
 
 namespace netpocket {
 namespace {
@@ -101,7 +102,7 @@ bool CampaignActions::save_study(const QString& path) {
     return false;
   }
   const StudyResult read = read_study_file(path.toStdString());
-  if (!read.ok()) panel_.show_problem(QString::fromStdString(read.diagnostics.list().front().text()));
+  if (!read.ok()) panel_.show_problem(diagnostic_words(read.diagnostics.list().front()));
   return read.ok();
 }
 
@@ -136,7 +137,7 @@ void CampaignActions::run_study(const QString& study, const QString& folder) {
   const StudyResult read = read_study_file(study.toStdString());
   if (!read.ok()) {
     emit panel_wanted();
-    return panel_.show_problem(QString::fromStdString(read.diagnostics.list().front().text()));
+    return panel_.show_problem(diagnostic_words(read.diagnostics.list().front()));
   }
   show(std::make_unique<Campaign>(program_, study, folder));
   campaign_->start(panel_.form()->jobs());
@@ -175,7 +176,7 @@ std::optional<Scenario> CampaignActions::scenario_at(std::size_t row) {
   }
   StudyScenario made = campaign_->scenario_of(row);
   if (!made.diagnostics.ok()) {
-    panel_.show_problem(QString::fromStdString(made.diagnostics.text()));
+    panel_.show_problem(diagnostics_words(made.diagnostics));
     return std::nullopt;
   }
   panel_.show_problem({});
@@ -211,7 +212,7 @@ bool CampaignActions::adopt(std::size_t row) {
   if (refusal || !say_the_same(document_.scenario(), *target)) {
     const Diagnostics problems = document_.set_text(QString::fromStdString(write_scenario_text(*target)));
     if (!problems.ok()) {
-      panel_.show_problem(QString::fromStdString(problems.text()));
+      panel_.show_problem(diagnostics_words(problems));
       return false;
     }
   }

@@ -4,6 +4,7 @@
 #include <QVBoxLayout>
 
 #include "gui/workbench/editor/message_bar.h"
+#include "gui/workbench/panels/engine_words.h"
 
 namespace netpocket {
 
@@ -34,7 +35,8 @@ void CampaignPanel::show_campaign(Campaign* campaign) {
 bool CampaignPanel::shows_campaign() const { return pages_->currentWidget() == view_; }
 
 void CampaignPanel::show_problem(const QString& text) {
-  problem_->show_text(text.isEmpty() ? text : text.left(1).toUpper() + text.mid(1));
+  const QString words = engine_words(text);
+  problem_->show_text(words.isEmpty() ? words : words.left(1).toUpper() + words.mid(1));
 }
 
 QString CampaignPanel::problem() const { return problem_->isHidden() ? QString() : problem_->text(); }

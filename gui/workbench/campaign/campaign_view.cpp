@@ -17,6 +17,7 @@
 #include "gui/workbench/campaign/capture_map_view.h"
 #include "gui/workbench/campaign/point_words.h"
 #include "gui/workbench/campaign/still_figure.h"
+#include "gui/workbench/panels/engine_words.h"
 #include "gui/workbench/panels/tones.h"
 #include "render/figures/study_figures.h"
 
@@ -237,7 +238,7 @@ void CampaignView::refresh_state() {
     state = tr("Not complete: %1").arg(count);
   }
   state_->setText(state + problems);
-  state_->setToolTip(results != nullptr ? QString::fromStdString(results->first_refusal()) : QString());
+  state_->setToolTip(results != nullptr ? engine_words(results->first_refusal()) : QString());
   const bool can_go_on = !campaign_->study().isEmpty() && !campaign_->is_run_elsewhere();
   stop_->setText(campaign_->is_running() ? tr("Stop") : tr("Go on"));
   stop_->setEnabled(campaign_->is_running() ? !campaign_->is_stopping() : can_go_on && !campaign_->is_complete());

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "gui/workbench/campaign/point_words.h"
+#include "gui/workbench/panels/figure_words.h"
 #include "gui/workbench/panels/tones.h"
 #include "render/figures/capture_map.h"
 
@@ -164,7 +165,7 @@ void CaptureMapView::paintEvent(QPaintEvent*) {
     return;
   }
   if (stale_) {
-    Figure figure = make_capture_map(*results_, *x(), *y());
+    Figure figure = in_window_language(make_capture_map(*results_, *x(), *y()));
     figure.title.clear();
     Panel& panel = figure.panels.front();
     panel.x.limits = padded(range_of(*x()));

@@ -16,7 +16,9 @@ constexpr double kConfidence = 0.95;
 constexpr const char* kTelling[] = {"escape_depth",     "smallest_gap", "closed_time",
                                     "utilisation_peak", "load_body",    "peak_fy_N"};
 
-QString tr(const char* text) { return QCoreApplication::translate("Campaign", text); }
+struct PointWords {
+  Q_DECLARE_TR_FUNCTIONS(PointWords)
+};
 
 QString value_row(const ResultColumn& column, std::size_t row) {
   const double value = column.values[row];
@@ -30,12 +32,12 @@ QString value_row(const ResultColumn& column, std::size_t row) {
 }  // namespace
 
 QString outcome_words(double captured) {
-  if (std::isnan(captured)) return tr("not judged");
-  return captured == 1 ? tr("captured") : tr("missed");
+  if (std::isnan(captured)) return PointWords::tr("not judged");
+  return captured == 1 ? PointWords::tr("captured") : PointWords::tr("missed");
 }
 
 QString point_words(const StudyResults& results, std::size_t row) {
-  QString text = tr("<b>Point %1</b>: %2")
+  QString text = PointWords::tr("<b>Point %1</b>: %2")
                      .arg(static_cast<qlonglong>(results.points[row]))
                      .arg(outcome_words(results.captured[row]));
   text += "<table cellspacing='0'>";
@@ -47,10 +49,10 @@ QString point_words(const StudyResults& results, std::size_t row) {
 }
 
 QString estimate_words(std::int64_t captured, std::int64_t judged) {
-  if (judged == 0) return tr("No capture has been judged yet.");
+  if (judged == 0) return PointWords::tr("No capture has been judged yet.");
   const Interval wilson = wilson_interval(captured, judged, kConfidence);
   const auto number = [](double value) { return QString::number(value, 'f', 3); };
-  return tr("Probability of capture <b>%1</b>, 95 % interval %2 to %3: %4 of %5 captured")
+  return PointWords::tr("Probability of capture <b>%1</b>, 95 % interval %2 to %3: %4 of %5 captured")
       .arg(number(static_cast<double>(captured) / static_cast<double>(judged)), number(wilson.lower),
            number(wilson.upper))
       .arg(captured)
@@ -59,10 +61,10 @@ QString estimate_words(std::int64_t captured, std::int64_t judged) {
 
 QString time_words(double seconds) {
   const auto whole = static_cast<qlonglong>(std::ceil(seconds));
-  if (whole < 90) return tr("%1 s").arg(whole);
+  if (whole < 90) return PointWords::tr("%1 s").arg(whole);
   const qlonglong minutes = (whole + 30) / 60;
-  if (minutes < 100) return tr("%1 min").arg(minutes);
-  return tr("%1 h %2 min").arg(minutes / 60).arg(minutes % 60);
+  if (minutes < 100) return PointWords::tr("%1 min").arg(minutes);
+  return PointWords::tr("%1 h %2 min").arg(minutes / 60).arg(minutes % 60);
 }
 
 }  // namespace netpocket

@@ -2,6 +2,8 @@
 
 #include <QPainter>
 
+#include "gui/workbench/panels/figure_words.h"
+
 namespace netpocket {
 
 StillFigure::StillFigure(QWidget* parent) : QWidget(parent) {
@@ -10,7 +12,7 @@ StillFigure::StillFigure(QWidget* parent) : QWidget(parent) {
 }
 
 void StillFigure::set_figure(Figure figure, const QSize& least) {
-  figure_ = std::move(figure);
+  figure_ = in_window_language(std::move(figure));
   figure_.title.clear();
   setMinimumSize(least);
   update();

@@ -111,6 +111,8 @@ QWidget* PreferencesDialog::make_window_page() {
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   form->addRow(tr("T&ype size:"), type_size_);
   form->addRow(tr("&Colours:"), theme_);
+  form->addRow(tr("&Language:"), language_);
+  form->addRow(QString(), make_note(tr("Of the window, from the next start on. Commands and files stay English.")));
   form->addRow(tr("&Begin with:"), beginning_);
   auto* folder_label = new QLabel(tr("F&older for new files:"));
   folder_label->setBuddy(folder_);

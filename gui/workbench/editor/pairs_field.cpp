@@ -16,6 +16,15 @@ namespace {
 
 constexpr int kVisibleRows = 8;
 
+// What the two numbers of a row are.
+QStringList titles_of(const Parameter& parameter) {
+  if (parameter.key == "rods.profile") return {PairsField::tr("from axis r, m"), PairsField::tr("height y, m")};
+  if (parameter.key == "scatter.panel_stiffness") return {PairsField::tr("panel"), PairsField::tr("factor")};
+  if (parameter.group() == "scatter") return {PairsField::tr("rod"), PairsField::tr("factor")};
+  if (parameter.group() == "winch") return {PairsField::tr("rope"), PairsField::tr("time t, s")};
+  return {PairsField::tr("time t, s"), PairsField::tr("length L, m")};
+}
+
 }  // namespace
 
 PairsField::PairsField(const Parameter& parameter, QWidget* parent)
@@ -25,10 +34,7 @@ PairsField::PairsField(const Parameter& parameter, QWidget* parent)
   layout->setSpacing(3);
   layout->addWidget(table_);
   const bool profile = parameter.key == "rods.profile";
-  const bool ropes = parameter.group() == "winch";
-  table_->setHorizontalHeaderLabels(profile ? QStringList{tr("from axis r, m"), tr("height y, m")}
-                                    : ropes ? QStringList{tr("rope"), tr("time t, s")}
-                                            : QStringList{tr("time t, s"), tr("length L, m")});
+  table_->setHorizontalHeaderLabels(titles_of(parameter));
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   table_->horizontalHeader()->setHighlightSections(false);
   table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 8);

@@ -30,7 +30,7 @@ void FilmActions::fill(QMenu& menu) {
     action->setStatusTip(help);
     return action;
   };
-  auto* picture = add(tr("Save &picture of the window…"), Qt::CTRL | Qt::SHIFT | Qt::Key_W,
+  auto* picture = add(tr("Save p&icture of the window…"), Qt::CTRL | Qt::SHIFT | Qt::Key_W,
                       tr("Save the whole window as one sees it, as a PNG picture"));
   connect(picture, &QAction::triggered, this, &FilmActions::ask_for_picture);
   record_ = add(tr("Record the &window…"), Qt::CTRL | Qt::SHIFT | Qt::Key_R,

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "gui/workbench/filming/window_picture.h"
+#include "gui/workbench/panels/engine_words.h"
 
 namespace netpocket {
 namespace {
@@ -85,7 +86,7 @@ void WindowFilm::end(const FilmEnd& result) {
   if (result.problem.empty()) {
     emit stopped(path_, result.seconds, why_);
   } else {
-    emit failed(tr("The window's recording: %1").arg(QString::fromStdString(result.problem)));
+    emit failed(tr("The window's recording: %1").arg(engine_words(result.problem)));
   }
 }
 

@@ -262,8 +262,33 @@ inline constexpr auto kEngineSentences = std::to_array<const char*>({
     QT_TRANSLATE_NOOP("engine",
                       "needs a winch.drive other than \"prescribed\", whose ropes follow the drawstring's law exactly"),
     QT_TRANSLATE_NOOP("engine", "row %1 names rope %2; the ropes are 1 to %3"),
+    QT_TRANSLATE_NOOP("engine", "row %1 names rod %2; the rods are 1 to %3"),
+    QT_TRANSLATE_NOOP("engine", "row %1 names panel %2; the panels are 1 to %3"),
+    QT_TRANSLATE_NOOP("engine", "names rod %1 more than once"),
+    QT_TRANSLATE_NOOP("engine", "names panel %1 more than once"),
+    QT_TRANSLATE_NOOP("engine", "needs rods.pressure above 0: without it rods do not wrinkle"),
     QT_TRANSLATE_NOOP("engine", "names rope %1 more than once"),
     QT_TRANSLATE_NOOP("engine", "a disturbance needs a force or a torque"),
+
+    // Campaigns.
+    QT_TRANSLATE_NOOP("engine", "Nothing is uncertain: add an input."),
+    QT_TRANSLATE_NOOP("engine", "%1 is no parameter of this scenario: remove it."),
+    QT_TRANSLATE_NOOP("engine", "%1 needs a spread above 0."),
+    QT_TRANSLATE_NOOP("engine", "%1 is there twice: remove one."),
+    QT_TRANSLATE_NOOP("engine", "another program is running a study in \"%1\""),
+    QT_TRANSLATE_NOOP("engine", "another program is writing \"%1\""),
+    QT_TRANSLATE_NOOP("engine", "\"%1\" holds no study: there is no %2 in it"),
+    QT_TRANSLATE_NOOP("engine", "\"%1\" holds a damaged scenario: %2"),
+    QT_TRANSLATE_NOOP("engine", "\"%1\" holds a damaged record of point %2"),
+    QT_TRANSLATE_NOOP("engine", "\"%1\" holds the study \"%2\", not \"%3\": name another folder"),
+    QT_TRANSLATE_NOOP("engine", "\"%1\" is damaged"),
+    QT_TRANSLATE_NOOP("engine", "is a scenario, not a study; a study names a scenario as its base"),
+    QT_TRANSLATE_NOOP("engine", "is %1, not a study"),
+    QT_TRANSLATE_NOOP("engine", "the study has no such variant"),
+    QT_TRANSLATE_NOOP("engine",
+                      "an earlier version made the folder of %1: go on with the study once (--resume), so that "
+                      "the folder says what its scenario is"),
+    QT_TRANSLATE_NOOP("engine", "is a folder"),
 
     // Files.
     QT_TRANSLATE_NOOP("engine", "there is no such file"),
@@ -274,6 +299,10 @@ inline constexpr auto kEngineSentences = std::to_array<const char*>({
     QT_TRANSLATE_NOOP("engine", "cannot read \"%1\": %2"),
     QT_TRANSLATE_NOOP("engine", "cannot make the folder \"%1\": %2"),
     QT_TRANSLATE_NOOP("engine", "cannot write into the folder \"%1\": %2"),
+    QT_TRANSLATE_NOOP("engine", "cannot read the folder \"%1\": %2"),
+    QT_TRANSLATE_NOOP("engine", "cannot make the video \"%1\": the program ffmpeg is not installed"),
+    QT_TRANSLATE_NOOP("engine", "cannot start ffmpeg: %1"),
+    QT_TRANSLATE_NOOP("engine", "ffmpeg could not make the video \"%1\": %2"),
     QT_TRANSLATE_NOOP("engine", "it is a folder"),
     QT_TRANSLATE_NOOP("engine", "it is read-only"),
     QT_TRANSLATE_NOOP("engine", "it is a pipe, not a file"),
@@ -350,6 +379,21 @@ inline constexpr auto kEngineSentences = std::to_array<const char*>({
     QT_TRANSLATE_NOOP("engine", "%1: delivered"),
     QT_TRANSLATE_NOOP("engine", "%1 to %2"),
     QT_TRANSLATE_NOOP("engine", "force"),
+
+    // Figures of campaigns.
+    QT_TRANSLATE_NOOP("engine", "captured"),
+    QT_TRANSLATE_NOOP("engine", "missed"),
+    QT_TRANSLATE_NOOP("engine", "estimate"),
+    QT_TRANSLATE_NOOP("engine", "95 % interval (Wilson)"),
+    QT_TRANSLATE_NOOP("engine", "Captures"),
+    QT_TRANSLATE_NOOP("engine", "Probability of capture"),
+    QT_TRANSLATE_NOOP("engine", "Share below"),
+    QT_TRANSLATE_NOOP("engine", "Change of the probability of capture, with 95 % intervals"),
+    QT_TRANSLATE_NOOP("engine", "large against small"),
+    QT_TRANSLATE_NOOP("engine", "far from the median against near"),
+    QT_TRANSLATE_NOOP("engine", "From smallest to largest"),
+
+    // Of many figures.
     QT_TRANSLATE_NOOP("engine", "%1 error (%2)"),
     QT_TRANSLATE_NOOP("engine", "%1 (%2)"),
 });

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "engine/state/phase.h"
+#include "gui/workbench/panels/engine_words.h"
 #include "gui/workbench/panels/findings_panel.h"
 #include "gui/workbench/panels/tones.h"
 
@@ -42,7 +43,7 @@ QString force_words(double newtons) {
 }
 
 QString capitalised(const std::string& word) {
-  QString text = QString::fromStdString(word);
+  QString text = engine_words(word);
   if (!text.isEmpty()) text[0] = text[0].toUpper();
   return text;
 }

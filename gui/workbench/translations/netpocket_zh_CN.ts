@@ -312,6 +312,45 @@
     </message>
 </context>
 <context>
+    <name>PointWords</name>
+    <message>
+        <source>not judged</source>
+        <translation>未判定</translation>
+    </message>
+    <message>
+        <source>captured</source>
+        <translation>已捕获</translation>
+    </message>
+    <message>
+        <source>missed</source>
+        <translation>未捕获</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Point %1&lt;/b&gt;: %2</source>
+        <translation>&lt;b&gt;样本点 %1&lt;/b&gt;：%2</translation>
+    </message>
+    <message>
+        <source>No capture has been judged yet.</source>
+        <translation>还没有已判定的捕获。</translation>
+    </message>
+    <message>
+        <source>Probability of capture &lt;b&gt;%1&lt;/b&gt;, 95 % interval %2 to %3: %4 of %5 captured</source>
+        <translation>捕获概率 &lt;b&gt;%1&lt;/b&gt;，95 % 区间 %2 至 %3：%5 次中捕获 %4 次</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 分钟</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 小时 %2 分钟</translation>
+    </message>
+</context>
+<context>
     <name>QPlatformTheme</name>
     <message>
         <source>OK</source>
@@ -1726,6 +1765,150 @@
         <source>contact force, N</source>
         <translation>接触力，N</translation>
     </message>
+    <message>
+        <source>row %1 names rod %2; the rods are 1 to %3</source>
+        <translation>第 %1 行指定杆 %2；充气杆为 1 至 %3</translation>
+    </message>
+    <message>
+        <source>row %1 names panel %2; the panels are 1 to %3</source>
+        <translation>第 %1 行指定网面 %2；网面为 1 至 %3</translation>
+    </message>
+    <message>
+        <source>names rod %1 more than once</source>
+        <translation>多次指定杆 %1</translation>
+    </message>
+    <message>
+        <source>names panel %1 more than once</source>
+        <translation>多次指定网面 %1</translation>
+    </message>
+    <message>
+        <source>needs rods.pressure above 0: without it rods do not wrinkle</source>
+        <translation>需要 rods.pressure 大于 0：否则充气杆不起皱</translation>
+    </message>
+    <message>
+        <source>Nothing is uncertain: add an input.</source>
+        <translation>没有不确定量：请添加输入。</translation>
+    </message>
+    <message>
+        <source>%1 is no parameter of this scenario: remove it.</source>
+        <translation>%1 不是此场景的参数：请移除。</translation>
+    </message>
+    <message>
+        <source>%1 needs a spread above 0.</source>
+        <translation>%1 需要大于 0 的分散程度。</translation>
+    </message>
+    <message>
+        <source>%1 is there twice: remove one.</source>
+        <translation>%1 出现两次：请移除一个。</translation>
+    </message>
+    <message>
+        <source>another program is running a study in &quot;%1&quot;</source>
+        <translation>另一个程序正在“%1”中运行研究</translation>
+    </message>
+    <message>
+        <source>another program is writing &quot;%1&quot;</source>
+        <translation>另一个程序正在写入“%1”</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; holds no study: there is no %2 in it</source>
+        <translation>“%1”中没有研究：其中没有 %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; holds a damaged scenario: %2</source>
+        <translation>“%1”中的场景已损坏：%2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; holds a damaged record of point %2</source>
+        <translation>“%1”中样本点 %2 的记录已损坏</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; holds the study &quot;%2&quot;, not &quot;%3&quot;: name another folder</source>
+        <translation>“%1”中是研究“%2”，不是“%3”：请指定另一个文件夹</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is damaged</source>
+        <translation>“%1”已损坏</translation>
+    </message>
+    <message>
+        <source>is a scenario, not a study; a study names a scenario as its base</source>
+        <translation>是场景，不是研究；研究以 base 指定一个场景</translation>
+    </message>
+    <message>
+        <source>is %1, not a study</source>
+        <translation>是%1，不是研究</translation>
+    </message>
+    <message>
+        <source>the study has no such variant</source>
+        <translation>研究中没有这个方案</translation>
+    </message>
+    <message>
+        <source>an earlier version made the folder of %1: go on with the study once (--resume), so that the folder says what its scenario is</source>
+        <translation>%1 的文件夹由较早的版本建立：请继续运行一次研究 (--resume)，使文件夹说明其场景</translation>
+    </message>
+    <message>
+        <source>is a folder</source>
+        <translation>是文件夹</translation>
+    </message>
+    <message>
+        <source>cannot read the folder &quot;%1&quot;: %2</source>
+        <translation>无法读取文件夹“%1”：%2</translation>
+    </message>
+    <message>
+        <source>cannot make the video &quot;%1&quot;: the program ffmpeg is not installed</source>
+        <translation>无法生成视频“%1”：未安装程序 ffmpeg</translation>
+    </message>
+    <message>
+        <source>cannot start ffmpeg: %1</source>
+        <translation>无法启动 ffmpeg：%1</translation>
+    </message>
+    <message>
+        <source>ffmpeg could not make the video &quot;%1&quot;: %2</source>
+        <translation>ffmpeg 未能生成视频“%1”：%2</translation>
+    </message>
+    <message>
+        <source>captured</source>
+        <translation>已捕获</translation>
+    </message>
+    <message>
+        <source>missed</source>
+        <translation>未捕获</translation>
+    </message>
+    <message>
+        <source>estimate</source>
+        <translation>估计值</translation>
+    </message>
+    <message>
+        <source>95 % interval (Wilson)</source>
+        <translation>95 % 区间 (Wilson)</translation>
+    </message>
+    <message>
+        <source>Captures</source>
+        <translation>捕获次数</translation>
+    </message>
+    <message>
+        <source>Probability of capture</source>
+        <translation>捕获概率</translation>
+    </message>
+    <message>
+        <source>Share below</source>
+        <translation>累积比例</translation>
+    </message>
+    <message>
+        <source>Change of the probability of capture, with 95 % intervals</source>
+        <translation>捕获概率的变化，附 95 % 区间</translation>
+    </message>
+    <message>
+        <source>large against small</source>
+        <translation>大值与小值之差</translation>
+    </message>
+    <message>
+        <source>far from the median against near</source>
+        <translation>远离与接近中位数之差</translation>
+    </message>
+    <message>
+        <source>From smallest to largest</source>
+        <translation>从最小到最大</translation>
+    </message>
 </context>
 <context>
     <name>netpocket::AboutDialog</name>
@@ -1744,6 +1927,254 @@
     <message>
         <source>Pictures: %1</source>
         <translation>绘图：%1</translation>
+    </message>
+</context>
+<context>
+    <name>netpocket::CampaignActions</name>
+    <message>
+        <source>Campaign…</source>
+        <translation>批量仿真…</translation>
+    </message>
+    <message>
+        <source>Open campaign…</source>
+        <translation>打开批量仿真…</translation>
+    </message>
+    <message>
+        <source>How often the scenario catches its target when its inputs are uncertain</source>
+        <translation>输入不确定时，场景有多大比例捕获目标</translation>
+    </message>
+    <message>
+        <source>Look at the folder of a study that runs, was interrupted or is done</source>
+        <translation>查看正在运行、已中断或已完成的研究文件夹</translation>
+    </message>
+    <message>
+        <source>Campaign</source>
+        <translation>批量仿真</translation>
+    </message>
+    <message>
+        <source>Save the scenario &quot;%1&quot;?</source>
+        <translation>要保存场景“%1”吗？</translation>
+    </message>
+    <message>
+        <source>A campaign runs the scenario&apos;s file as it is saved.</source>
+        <translation>批量仿真按已保存的场景文件运行。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is the scenario itself: name another file for its study.</source>
+        <translation>“%1”就是场景本身：请为其研究指定另一个文件。</translation>
+    </message>
+    <message>
+        <source>Save study</source>
+        <translation>保存研究</translation>
+    </message>
+    <message>
+        <source>Studies (*.toml)</source>
+        <translation>研究 (*.toml)</translation>
+    </message>
+    <message>
+        <source>Save study and run it</source>
+        <translation>保存研究并运行</translation>
+    </message>
+    <message>
+        <source>Run study</source>
+        <translation>运行研究</translation>
+    </message>
+    <message>
+        <source>Open the folder of a study</source>
+        <translation>打开研究文件夹</translation>
+    </message>
+    <message>
+        <source>A campaign is running: stop it before another one is opened.</source>
+        <translation>有批量仿真正在运行：打开另一个之前请先停止它。</translation>
+    </message>
+    <message>
+        <source>%1, point %2</source>
+        <translation>%1，样本点 %2</translation>
+    </message>
+    <message>
+        <source>point %1 of %2</source>
+        <translation>%2的样本点 %1</translation>
+    </message>
+    <message>
+        <source>The campaign &quot;%1&quot; is running.</source>
+        <translation>批量仿真“%1”正在运行。</translation>
+    </message>
+    <message>
+        <source>Closing the window stops it. Points that are done are kept; open its folder to go on later.</source>
+        <translation>关闭窗口会停止它。已完成的样本点会保留；以后打开其文件夹可继续。</translation>
+    </message>
+    <message>
+        <source>Stop and close</source>
+        <translation>停止并关闭</translation>
+    </message>
+    <message>
+        <source>Wait</source>
+        <translation>等待</translation>
+    </message>
+</context>
+<context>
+    <name>netpocket::CampaignJob</name>
+    <message>
+        <source>cannot start &quot;%1&quot;</source>
+        <translation>无法启动“%1”</translation>
+    </message>
+    <message>
+        <source>the study ended unexpectedly</source>
+        <translation>研究意外结束</translation>
+    </message>
+</context>
+<context>
+    <name>netpocket::CampaignView</name>
+    <message>
+        <source>; %1 refused as not valid</source>
+        <translation>；%1 个无效而被拒绝</translation>
+    </message>
+    <message>
+        <source>; %1 diverged</source>
+        <translation>；%1 个发散</translation>
+    </message>
+    <message>
+        <source>, %1 captures a minute</source>
+        <translation>，每分钟 %1 次捕获</translation>
+    </message>
+    <message>
+        <source>, %1 left</source>
+        <translation>，剩余 %1</translation>
+    </message>
+    <message>
+        <source>Points done</source>
+        <translation>已完成的样本点</translation>
+    </message>
+    <message>
+        <source>Other campaign…</source>
+        <translation>其他批量仿真…</translation>
+    </message>
+    <message>
+        <source>Define a campaign for the scenario, or open another one</source>
+        <translation>为场景设定批量仿真，或打开另一个</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>图</translation>
+    </message>
+    <message>
+        <source>What to draw</source>
+        <translation>绘制的内容</translation>
+    </message>
+    <message>
+        <source>Map of the captures</source>
+        <translation>捕获分布图</translation>
+    </message>
+    <message>
+        <source>Convergence</source>
+        <translation>收敛过程</translation>
+    </message>
+    <message>
+        <source>What decides</source>
+        <translation>决定因素</translation>
+    </message>
+    <message>
+        <source>Distributions</source>
+        <translation>分布</translation>
+    </message>
+    <message>
+        <source>Parallel coordinates</source>
+        <translation>平行坐标</translation>
+    </message>
+    <message>
+        <source>Input to the right</source>
+        <translation>横轴输入</translation>
+    </message>
+    <message>
+        <source>The input to the right</source>
+        <translation>横轴上的输入</translation>
+    </message>
+    <message>
+        <source>Input upwards</source>
+        <translation>纵轴输入</translation>
+    </message>
+    <message>
+        <source>The input upwards</source>
+        <translation>纵轴上的输入</translation>
+    </message>
+    <message>
+        <source>Open this capture</source>
+        <translation>打开此次捕获</translation>
+    </message>
+    <message>
+        <source>Run this capture in the window (Enter)</source>
+        <translation>在窗口中运行此次捕获（回车）</translation>
+    </message>
+    <message>
+        <source>Make it the scenario</source>
+        <translation>设为当前场景</translation>
+    </message>
+    <message>
+        <source>Put the values of this point into the editor; Undo takes that back</source>
+        <translation>把此样本点的值放入编辑器；可用“撤销”收回</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points</source>
+        <translation>%2 个样本点中的 %1 个</translation>
+    </message>
+    <message>
+        <source>no point yet</source>
+        <translation>还没有样本点</translation>
+    </message>
+    <message>
+        <source>Stopping: %1</source>
+        <translation>正在停止：%1</translation>
+    </message>
+    <message>
+        <source>Running: %1</source>
+        <translation>正在运行：%1</translation>
+    </message>
+    <message>
+        <source>Another program runs it: %1</source>
+        <translation>由另一个程序运行：%1</translation>
+    </message>
+    <message>
+        <source>Ended early, as it was told to: %1</source>
+        <translation>按要求提前结束：%1</translation>
+    </message>
+    <message>
+        <source>Done: %1</source>
+        <translation>已完成：%1</translation>
+    </message>
+    <message>
+        <source>Not complete: %1</source>
+        <translation>未完成：%1</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>继续</translation>
+    </message>
+    <message>
+        <source>End it; points that are done are kept, and it can go on later</source>
+        <translation>结束运行；已完成的样本点会保留，以后可以继续</translation>
+    </message>
+    <message>
+        <source>The study&apos;s file is not where it was when the folder was made</source>
+        <translation>研究文件已不在建立文件夹时的位置</translation>
+    </message>
+    <message>
+        <source>Run the points that are missing</source>
+        <translation>运行缺少的样本点</translation>
+    </message>
+</context>
+<context>
+    <name>netpocket::CaptureMapView</name>
+    <message>
+        <source>Map of the captures</source>
+        <translation>捕获分布图</translation>
+    </message>
+    <message>
+        <source>The map fills as captures are done.</source>
+        <translation>随着捕获的完成，图中会逐渐出现样本点。</translation>
     </message>
 </context>
 <context>
@@ -2303,6 +2734,10 @@
         <source>Replace</source>
         <translation>替换</translation>
     </message>
+    <message>
+        <source>File or folder to export to</source>
+        <translation>导出到的文件或文件夹</translation>
+    </message>
 </context>
 <context>
     <name>netpocket::ExportJob</name>
@@ -2426,6 +2861,80 @@
     </message>
 </context>
 <context>
+    <name>netpocket::FilmActions</name>
+    <message>
+        <source>Save the whole window as one sees it, as a PNG picture</source>
+        <translation>把所见的整个窗口保存为 PNG 图片</translation>
+    </message>
+    <message>
+        <source>Record the &amp;window…</source>
+        <translation>录制窗口(&amp;W)…</translation>
+    </message>
+    <message>
+        <source>Make a video of the whole window until it is stopped</source>
+        <translation>录制整个窗口的视频，直到停止为止</translation>
+    </message>
+    <message>
+        <source>Stop recording the &amp;window</source>
+        <translation>停止录制窗口(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Save picture of the window</source>
+        <translation>保存窗口图片</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>图片 (*.png)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>已保存 %1</translation>
+    </message>
+    <message>
+        <source>Record the window</source>
+        <translation>录制窗口</translation>
+    </message>
+    <message>
+        <source>Videos (*.mp4)</source>
+        <translation>视频 (*.mp4)</translation>
+    </message>
+    <message>
+        <source>Recorded %1 of the window: %2</source>
+        <translation>已录制窗口 %1：%2</translation>
+    </message>
+    <message>
+        <source>Save p&amp;icture of the window…</source>
+        <translation>保存窗口图片(&amp;I)…</translation>
+    </message>
+</context>
+<context>
+    <name>netpocket::FilmIndicator</name>
+    <message>
+        <source>Recording of the window</source>
+        <translation>窗口录制</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>End the recording of the window and keep the video</source>
+        <translation>结束窗口录制并保留视频</translation>
+    </message>
+    <message>
+        <source>Stop recording the window</source>
+        <translation>停止录制窗口</translation>
+    </message>
+    <message>
+        <source>Recording %1</source>
+        <translation>录制中 %1</translation>
+    </message>
+    <message>
+        <source>Finishing the video…</source>
+        <translation>正在完成视频…</translation>
+    </message>
+</context>
+<context>
     <name>netpocket::FindingsPanel</name>
     <message>
         <source>Findings F1 to F11 appear here once a run has recorded frames.</source>
@@ -2494,6 +3003,10 @@
     <message>
         <source>Text (*.txt);;JSON (*.json)</source>
         <translation>文本 (*.txt);;JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>Undecided</source>
+        <translation>未定</translation>
     </message>
 </context>
 <context>
@@ -2639,6 +3152,57 @@
     <message>
         <source>%1 changed</source>
         <translation>%1 项更改</translation>
+    </message>
+</context>
+<context>
+    <name>netpocket::Headline</name>
+    <message>
+        <source>%1 kN</source>
+        <translation>%1 kN</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>Numbers of the shown moment</source>
+        <translation>所示时刻的数值</translation>
+    </message>
+    <message>
+        <source>The run that is shown</source>
+        <translation>所示的仿真</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>阶段</translation>
+    </message>
+    <message>
+        <source>Radius of the mouth</source>
+        <translation>网口半径</translation>
+    </message>
+    <message>
+        <source>Contact force</source>
+        <translation>接触力</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>Not simulated yet</source>
+        <translation>尚未仿真</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
     </message>
 </context>
 <context>
@@ -2841,10 +3405,6 @@
         <translation>首选项…</translation>
     </message>
     <message>
-        <source>Memory, threads, drawing</source>
-        <translation>内存、线程、绘图</translation>
-    </message>
-    <message>
         <source>Panels</source>
         <translation>面板</translation>
     </message>
@@ -2903,6 +3463,14 @@
     <message>
         <source>Versions, and how pictures are drawn</source>
         <translation>版本，以及绘图方式</translation>
+    </message>
+    <message>
+        <source>Campaign</source>
+        <translation>批量仿真</translation>
+    </message>
+    <message>
+        <source>Type size, colours, language, folders, pictures, memory, drawing</source>
+        <translation>字号、颜色、语言、文件夹、图片、内存、绘图</translation>
     </message>
 </context>
 <context>
@@ -2972,6 +3540,18 @@
     <message>
         <source>rope</source>
         <translation>绳</translation>
+    </message>
+    <message>
+        <source>panel</source>
+        <translation>网面</translation>
+    </message>
+    <message>
+        <source>factor</source>
+        <translation>系数</translation>
+    </message>
+    <message>
+        <source>rod</source>
+        <translation>杆</translation>
     </message>
 </context>
 <context>
@@ -3245,6 +3825,117 @@
     <message>
         <source>Of the window, from the next start on. Commands and files stay English.</source>
         <translation>窗口的语言，从下次启动起生效。命令和文件仍用英语。</translation>
+    </message>
+    <message>
+        <source>Kinds of preferences</source>
+        <translation>首选项类别</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>窗口</translation>
+    </message>
+    <message>
+        <source>Pictures and videos</source>
+        <translation>图片和视频</translation>
+    </message>
+    <message>
+        <source>Simulation and drawing</source>
+        <translation>仿真和绘图</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>标准</translation>
+    </message>
+    <message>
+        <source>Larger</source>
+        <translation>较大</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>最大</translation>
+    </message>
+    <message>
+        <source>As the desktop</source>
+        <translation>跟随桌面</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>浅色</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>深色</translation>
+    </message>
+    <message>
+        <source>The start page</source>
+        <translation>起始页</translation>
+    </message>
+    <message>
+        <source>The file used last</source>
+        <translation>上次使用的文件</translation>
+    </message>
+    <message>
+        <source>A new scenario</source>
+        <translation>新建的场景</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>浏览…</translation>
+    </message>
+    <message>
+        <source>T&amp;ype size:</source>
+        <translation>字号(&amp;Y)：</translation>
+    </message>
+    <message>
+        <source>&amp;Colours:</source>
+        <translation>颜色(&amp;C)：</translation>
+    </message>
+    <message>
+        <source>&amp;Begin with:</source>
+        <translation>启动时打开(&amp;B)：</translation>
+    </message>
+    <message>
+        <source>F&amp;older for new files:</source>
+        <translation>新文件的文件夹(&amp;O)：</translation>
+    </message>
+    <message>
+        <source> per simulated second</source>
+        <translation> 帧/仿真秒</translation>
+    </message>
+    <message>
+        <source>%1 pictures a second</source>
+        <translation>每秒 %1 帧</translation>
+    </message>
+    <message>
+        <source>&amp;Size of exports:</source>
+        <translation>导出尺寸(&amp;S)：</translation>
+    </message>
+    <message>
+        <source>&amp;Pictures of exports:</source>
+        <translation>导出帧数(&amp;P)：</translation>
+    </message>
+    <message>
+        <source>What the export dialog proposes.</source>
+        <translation>导出对话框中的默认值。</translation>
+    </message>
+    <message>
+        <source>&amp;Videos of the window:</source>
+        <translation>窗口视频(&amp;V)：</translation>
+    </message>
+    <message>
+        <source>Folder for new files</source>
+        <translation>新文件的文件夹</translation>
+    </message>
+</context>
+<context>
+    <name>netpocket::Presentation</name>
+    <message>
+        <source>Presenter mode</source>
+        <translation>演示模式</translation>
+    </message>
+    <message>
+        <source>The view in full screen, with large type, for an audience; Esc leaves</source>
+        <translation>面向观众的全屏大字视图；按 Esc 退出</translation>
     </message>
 </context>
 <context>
@@ -3595,6 +4286,61 @@
     </message>
 </context>
 <context>
+    <name>netpocket::ScatterRow</name>
+    <message>
+        <source>Evenly, up to ±</source>
+        <translation>均匀，至多 ±</translation>
+    </message>
+    <message>
+        <source>Normal, deviation</source>
+        <translation>正态，标准差</translation>
+    </message>
+    <message>
+        <source>Factor, log-deviation</source>
+        <translation>系数，对数标准差</translation>
+    </message>
+    <message>
+        <source>Any direction, up to</source>
+        <translation>任意方向，至多</translation>
+    </message>
+    <message>
+        <source>All values around the scenario&apos;s are equally likely, up to this far</source>
+        <translation>在场景值两侧此范围内，所有值的可能性相同</translation>
+    </message>
+    <message>
+        <source>Normal distribution about the scenario&apos;s value, with this standard deviation</source>
+        <translation>以场景值为均值、以此为标准差的正态分布</translation>
+    </message>
+    <message>
+        <source>The scenario&apos;s value times a log-normal number about 1; the standard deviation of its logarithm</source>
+        <translation>场景值乘以中位数为 1 的对数正态数；此为其对数的标准差</translation>
+    </message>
+    <message>
+        <source>A vector in any direction, of any length up to this</source>
+        <translation>任意方向、长度不超过此值的矢量</translation>
+    </message>
+    <message>
+        <source>How %1 scatters</source>
+        <translation>%1的分布方式</translation>
+    </message>
+    <message>
+        <source>By how much %1 scatters</source>
+        <translation>%1的分散程度</translation>
+    </message>
+    <message>
+        <source>Not uncertain: remove this input</source>
+        <translation>不作为不确定量：移除此输入</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>移除%1</translation>
+    </message>
+    <message>
+        <source> – not in this scenario</source>
+        <translation> – 此场景中没有</translation>
+    </message>
+</context>
+<context>
     <name>netpocket::ScenarioDocument</name>
     <message>
         <source>set %1 to %2</source>
@@ -3903,6 +4649,10 @@
         <source>Keyboard and mouse</source>
         <translation>键盘和鼠标</translation>
     </message>
+    <message>
+        <source>All keys</source>
+        <translation>所有按键</translation>
+    </message>
 </context>
 <context>
     <name>netpocket::StartPage</name>
@@ -3965,6 +4715,148 @@
     <message>
         <source>Recent</source>
         <translation>最近</translation>
+    </message>
+</context>
+<context>
+    <name>netpocket::StillFigure</name>
+    <message>
+        <source>Figure of the campaign</source>
+        <translation>批量仿真的图</translation>
+    </message>
+</context>
+<context>
+    <name>netpocket::StudyForm</name>
+    <message>
+        <source>How often does this scenario catch its target when its inputs are uncertain?</source>
+        <translation>输入不确定时，此场景有多大比例捕获目标？</translation>
+    </message>
+    <message>
+        <source>Uncertain inputs</source>
+        <translation>不确定输入</translation>
+    </message>
+    <message>
+        <source>Each scatters about the scenario&apos;s value</source>
+        <translation>各自围绕场景值分散</translation>
+    </message>
+    <message>
+        <source>Captures</source>
+        <translation>捕获次数</translation>
+    </message>
+    <message>
+        <source>How many, and what is estimated from them</source>
+        <translation>运行多少次，以及由此估计什么</translation>
+    </message>
+    <message>
+        <source>Add an input: type a part of its name</source>
+        <translation>添加输入：键入其名称的一部分</translation>
+    </message>
+    <message>
+        <source>Input to add</source>
+        <translation>要添加的输入</translation>
+    </message>
+    <message>
+        <source>How many captures to run</source>
+        <translation>要运行的捕获次数</translation>
+    </message>
+    <message>
+        <source>Another seed draws other values</source>
+        <translation>不同的种子抽取不同的值</translation>
+    </message>
+    <message>
+        <source>Captures at a time; each takes one processor core</source>
+        <translation>同时运行的捕获数；每个占用一个处理器核</translation>
+    </message>
+    <message>
+        <source>Sobol (even)</source>
+        <translation>Sobol（均匀）</translation>
+    </message>
+    <message>
+        <source>Latin hypercube</source>
+        <translation>拉丁超立方</translation>
+    </message>
+    <message>
+        <source>Monte Carlo</source>
+        <translation>蒙特卡洛</translation>
+    </message>
+    <message>
+        <source>How the values are drawn; with Sobol points and Monte Carlo more can be added later</source>
+        <translation>取值方法；用 Sobol 点和蒙特卡洛时，以后可以增加样本点</translation>
+    </message>
+    <message>
+        <source>What is estimated besides the probability of capture: 5 %, 50 % and 95 % quantiles</source>
+        <translation>除捕获概率外还估计什么：5 %、50 % 和 95 % 分位数</translation>
+    </message>
+    <message>
+        <source>End early at ±</source>
+        <translation>提前结束于 ±</translation>
+    </message>
+    <message>
+        <source>End when the 95 % interval of the probability of capture is no wider than this</source>
+        <translation>捕获概率的 95 % 区间不宽于此值时结束</translation>
+    </message>
+    <message>
+        <source>Half width of the interval</source>
+        <translation>区间半宽</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>样本点数</translation>
+    </message>
+    <message>
+        <source>Drawn by</source>
+        <translation>取样方法</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>随机种子</translation>
+    </message>
+    <message>
+        <source>Estimate</source>
+        <translation>估计量</translation>
+    </message>
+    <message>
+        <source>At a time</source>
+        <translation>同时运行</translation>
+    </message>
+    <message>
+        <source>Run campaign…</source>
+        <translation>运行批量仿真…</translation>
+    </message>
+    <message>
+        <source>Save this as a study and run it in the background</source>
+        <translation>保存为研究并在后台运行</translation>
+    </message>
+    <message>
+        <source>Save study…</source>
+        <translation>保存研究…</translation>
+    </message>
+    <message>
+        <source>Save this as a study (TOML) for &quot;netpocket study&quot;</source>
+        <translation>保存为供 &quot;netpocket study&quot; 使用的研究 (TOML)</translation>
+    </message>
+    <message>
+        <source>Run a study file…</source>
+        <translation>运行研究文件…</translation>
+    </message>
+    <message>
+        <source>Run a study that is a file already</source>
+        <translation>运行已有的研究文件</translation>
+    </message>
+    <message>
+        <source>Open folder…</source>
+        <translation>打开文件夹…</translation>
+    </message>
+    <message>
+        <source>Look at the folder of a study that runs, was interrupted or is done</source>
+        <translation>查看正在运行、已中断或已完成的研究文件夹</translation>
+    </message>
+    <message>
+        <source>Probability only</source>
+        <translation>仅概率</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1，另有 %2 项</translation>
     </message>
 </context>
 <context>
@@ -4320,6 +5212,17 @@
     <message>
         <source>Drag the target or the spacecraft; with Shift along one axis</source>
         <translation>拖动目标或服务航天器；按住 Shift 则沿一个轴</translation>
+    </message>
+</context>
+<context>
+    <name>netpocket::WindowFilm</name>
+    <message>
+        <source>Recording the window has ended because the disk is nearly full; &quot;%1&quot; is whole.</source>
+        <translation>因磁盘将满，窗口录制已结束；“%1”是完整的。</translation>
+    </message>
+    <message>
+        <source>The window&apos;s recording: %1</source>
+        <translation>窗口录制：%1</translation>
     </message>
 </context>
 <context>
