@@ -17,6 +17,8 @@
 #include "engine/scenario/check_scenario.h"
 #include "engine/scenario/read_scenario.h"
 #include "engine/systems/capture_system.h"
+#include "gui/workbench/campaign/campaign_actions.h"
+#include "gui/workbench/campaign/point_words.h"
 #include "gui/workbench/control/control_panel.h"
 #include "gui/workbench/dialogs/about_dialog.h"
 #include "gui/workbench/dialogs/differences_dialog.h"
@@ -32,10 +34,14 @@
 #include "gui/workbench/export/export_dialog.h"
 #include "gui/workbench/language.h"
 #include "gui/workbench/panels/engine_words.h"
+#include "gui/workbench/panels/figure_words.h"
+#include "gui/workbench/presentation/headline.h"
+#include "gui/workbench/presentation/presentation.h"
 #include "gui/workbench/run_actions.h"
 #include "gui/workbench/start/first_capture.h"
 #include "gui/workbench/start/start_page.h"
 #include "gui/workbench/viewport/viewport.h"
+#include "render/figures/study_figures.h"
 #include "tests/gui/workbench/shown_texts.h"
 #include "tests/gui/workbench/window_fixture.h"
 
@@ -190,6 +196,48 @@ TEST_F(TranslatedWindow, EveryTextOfTheDialogsIsTranslated) {
   }
 }
 
+TEST_F(TranslatedWindow, EveryTextOfThePresenterModeIsTranslated) {
+  speak_brackets();
+  ASSERT_TRUE(run_to(1.2));
+  window_->presentation().set_on(true);
+  expect_translated(*window_, "presenter mode");
+  const QString headline = window_->findChild<Headline*>()->text();
+  EXPECT_GT(headline.count(kOpen), 5) << headline.toStdString();
+  EXPECT_TRUE(foreign_words(headline).isEmpty()) << headline.toStdString();
+  window_->presentation().set_on(false);
+}
+
+TEST_F(TranslatedWindow, EveryTextOfACampaignIsTranslated) {
+  speak_brackets();
+  ASSERT_FALSE(window_->document().save_as(file("quick.toml")));
+  StudyForm* form = window_->campaign().form();
+  StudyDraft draft = usual_draft(window_->document().scenario());
+  draft.inputs.push_back({"target.spin", Scatter::direction, 0.1});
+  draft.samples = 4;
+  form->set_draft(draft);
+  expect_translated(*form, "the form of a campaign");
+  CampaignActions& actions = window_->campaign_actions();
+  ASSERT_TRUE(actions.save_study(file("study.toml"))) << window_->campaign().problem().toStdString();
+  actions.run_study(file("study.toml"), file("study"));
+  const CampaignView& view = *window_->campaign().view();
+  QSet<QString> said;
+  const auto note = [&] { said << view.state_text() << view.estimate_text() << view.stop_button()->text(); };
+  ASSERT_TRUE(wait_until(
+      [&] {
+        note();
+        return actions.campaign()->is_complete() && view.state_text().contains("4");
+      },
+      120));
+  note();
+  const StudyResults& results = actions.campaign()->results()->results();
+  ASSERT_GT(results.size(), 0U);
+  said << point_words(results, 0) << time_words(1) << time_words(1000) << time_words(10000);
+  EXPECT_GT(said.size(), 6);
+  for (const QString& text : said) {
+    EXPECT_TRUE(foreign_words(text).isEmpty()) << text.toStdString();
+  }
+}
+
 TEST_F(TranslatedWindow, SpeaksChineseInMenusAndForm) {
   speak_chinese();
   EXPECT_EQ(window_->menuBar()->actions().front()->text(), QString::fromUtf8("文件(&F)"));
@@ -295,12 +343,45 @@ TEST(ChineseWords, CoverWhatTheEngineNames) {
   speak(kEnglish);
 }
 
+// But for the names of columns.
+TEST(ChineseWords, CoverFiguresOfCampaigns) {
+  speak("zh_CN");
+  StudyResults results;
+  results.inputs = {{"in_a", "m", {}}, {"in_b", "", {}}};
+  results.measures = {{"smallest_gap", "m", {}}};
+  for (int i = 0; i < 120; ++i) {
+    results.points.push_back(i + 1);
+    results.captured.push_back(i % 3 == 0);
+    results.inputs[0].values.push_back(i % 11);
+    results.inputs[1].values.push_back(i % 7);
+    results.measures[0].values.push_back(i % 5);
+  }
+  const auto expect_words = [](const std::string& text, const std::string& figure) {
+    QString rest = QString::fromStdString(text);
+    for (const char* name : {"in_a", "in_b", "smallest_gap", "Wilson"}) rest.remove(name);
+    EXPECT_FALSE(rest.contains(QRegularExpression("[A-Za-z]{2,}"))) << figure << ": " << text;
+  };
+  for (const char* name : {"capture_map", "convergence", "influence", "distributions", "parallel_coordinates"}) {
+    const Figure figure = in_window_language(make_study_figure(name, results));
+    ASSERT_FALSE(figure.panels.empty()) << name;
+    for (const Panel& panel : figure.panels) {
+      for (const std::string& text : {panel.title, panel.x.title, panel.y.title}) expect_words(text, name);
+      for (const Curve& curve : panel.curves) expect_words(curve.label, name);
+    }
+  }
+  speak(kEnglish);
+}
+
 TEST(ChineseWords, FillThePlacesOfSentences) {
   speak("zh_CN");
   EXPECT_EQ(engine_words(std::string_view("axial waves in panel 3 upper row 2, and bends of cords")),
             QString::fromUtf8("网面 3 上部第 2 行的轴向波，以及绳的弯折"));
   EXPECT_EQ(engine_words(std::string_view("cannot write \"/a/%2 b.toml\": No space left on device")),
             QString::fromUtf8("无法写入“/a/%2 b.toml”：磁盘空间不足"));
+  EXPECT_EQ(engine_words(std::string_view("target.mass needs a spread above 0.")),
+            QString::fromUtf8("target.mass 需要大于 0 的分散程度。"));
+  EXPECT_EQ(engine_words(std::string_view("row 1 names rod 9; the rods are 1 to 8")),
+            QString::fromUtf8("第 1 行指定杆 9；充气杆为 1 至 8"));
   EXPECT_EQ(engine_words(std::string_view("something new")), "something new");
   speak(kEnglish);
   EXPECT_EQ(engine_words(std::string_view("axial waves in panel 3 upper row 2")), "axial waves in panel 3 upper row 2");
