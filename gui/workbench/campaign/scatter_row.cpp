@@ -116,10 +116,9 @@ void ScatterRow::show_scenario(const Scenario& scenario) {
   const QString name = scatter_label(scenario, key_);
   unit_words_ = parameter != nullptr ? unit_words(parameter->unit) : QString();
   const auto centre = number_of(scenario, key_);
-  QString text = name;
-  if (centre) text += QString(": %1 %2").arg(number_words(*centre), unit_words_);
+  QString text = centre ? tr("%1: %2 %3").arg(name, number_words(*centre), unit_words_).trimmed() : name;
   if (parameter == nullptr) text += tr(" – not in this scenario");
-  name_->setText(text.trimmed());
+  name_->setText(text);
   name_->setToolTip(parameter != nullptr ? tool_tip(*parameter) : QString());
   show_unit();
 }

@@ -1,10 +1,10 @@
 #include "gui/workbench/presentation/headline.h"
 
 #include <QEvent>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -62,12 +62,15 @@ QString contact_force(const Run& run, std::size_t frame) {
 
 }  // namespace
 
-Headline::Headline(QWidget* parent) : QWidget(parent), row_(new QHBoxLayout(this)), name_(new QLabel) {
+Headline::Headline(QWidget* parent)
+    : QWidget(parent), row_(new QHBoxLayout(this)), tiles_(new QGridLayout), name_(new QLabel) {
   setAccessibleName(tr("Numbers of the shown moment"));
   name_->setTextFormat(Qt::PlainText);
   name_->setToolTip(tr("The run that is shown"));
   name_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   row_->addWidget(name_, 1);
+  row_->addLayout(tiles_);
+  tiles_->setVerticalSpacing(0);
   time_ = add_tile(tr("Time"), "000.00 s");
   phase_ = add_tile(tr("Phase"), "closing");
   mouth_ = add_tile(tr("Radius of the mouth"), "0.00 m");
@@ -83,11 +86,9 @@ Headline::Headline(QWidget* parent) : QWidget(parent), row_(new QHBoxLayout(this
 Headline::Tile Headline::add_tile(const QString& caption, const QString& widest) {
   const Tile tile{new QLabel(caption), new QLabel, widest};
   tile.value->setTextFormat(Qt::PlainText);
-  auto* column = new QVBoxLayout;
-  column->setSpacing(0);
-  column->addWidget(tile.caption);
-  column->addWidget(tile.value);
-  row_->addLayout(column);
+  const int column = tiles_->columnCount();
+  tiles_->addWidget(tile.caption, 0, column);
+  tiles_->addWidget(tile.value, 1, column);
   return tile;
 }
 
@@ -144,6 +145,7 @@ void Headline::set_sizes(double scale) {
   const int unit = static_cast<int>(scale * fontMetrics().height());
   row_->setContentsMargins(unit, unit / 3, unit, unit / 3);
   row_->setSpacing(static_cast<int>(kGap * unit));
+  tiles_->setHorizontalSpacing(row_->spacing());
   set_size(*name_, font(), scale * kNameScale, true);
   name_->setMinimumWidth(std::min(kNameUnits * unit, name_->fontMetrics().horizontalAdvance(whole_name_)));
   for (const Tile& tile : {time_, phase_, mouth_, force_, capture_}) {

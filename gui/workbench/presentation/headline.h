@@ -7,6 +7,7 @@
 #include "engine/analysis/verdict.h"
 #include "gui/workbench/session/run.h"
 
+class QGridLayout;
 class QHBoxLayout;
 class QLabel;
 
@@ -48,6 +49,7 @@ class Headline : public QWidget {
   void follow_palette();
 
   QHBoxLayout* row_;
+  QGridLayout* tiles_;
   QLabel* name_;
   QString whole_name_;
   Tile time_, phase_, mouth_, force_, capture_;

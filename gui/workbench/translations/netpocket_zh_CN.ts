@@ -4339,6 +4339,10 @@
         <source> – not in this scenario</source>
         <translation> – 此场景中没有</translation>
     </message>
+    <message>
+        <source>%1: %2 %3</source>
+        <translation>%1：%2 %3</translation>
+    </message>
 </context>
 <context>
     <name>netpocket::ScenarioDocument</name>
@@ -7125,6 +7129,46 @@
         <source>Young&apos;s modulus</source>
         <comment>drawstring</comment>
         <translation>杨氏模量</translation>
+    </message>
+    <message>
+        <source>Edge radius</source>
+        <translation>棱边半径</translation>
+    </message>
+    <message>
+        <source>radius of the edges of boxes, cylinders and satellites where cords touch them, at most a quarter of a part&apos;s thickness; 0: sharp. A cord that a load presses deeper than its own radius slips off a sharp edge</source>
+        <translation>绳接触长方体、圆柱体和卫星处的棱边半径，至多为部件厚度的四分之一；0：尖锐。被载荷压入深度超过自身半径的绳会从尖锐棱边滑脱</translation>
+    </message>
+    <message>
+        <source>Scatter</source>
+        <translation>分散</translation>
+    </message>
+    <message>
+        <source>Single rods and panels that are not like the others.</source>
+        <translation>与其他不同的个别充气杆和网面。</translation>
+    </message>
+    <message>
+        <source>Rod stiffness</source>
+        <translation>杆刚度</translation>
+    </message>
+    <message>
+        <source>[rod, factor]: rods with another Young&apos;s modulus than the others, times this; the kink&apos;s joint stays</source>
+        <translation>[杆, 系数]：杨氏模量与其他不同的充气杆，乘以此系数；折点处的铰不变</translation>
+    </message>
+    <message>
+        <source>Rod pressure</source>
+        <translation>杆压力</translation>
+    </message>
+    <message>
+        <source>[rod, factor]: rods with another pressure than rods.pressure, times this, in which they wrinkle</source>
+        <translation>[杆, 系数]：压力与 rods.pressure 不同的充气杆，乘以此系数，由此决定起皱</translation>
+    </message>
+    <message>
+        <source>Panel stiffness</source>
+        <translation>网面刚度</translation>
+    </message>
+    <message>
+        <source>[panel, factor]: panels whose net has another Young&apos;s modulus, times this; 0.001: all but torn</source>
+        <translation>[网面, 系数]：绳网杨氏模量不同的网面，乘以此系数；0.001：几乎破裂</translation>
     </message>
 </context>
 <context>
