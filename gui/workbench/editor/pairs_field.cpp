@@ -9,12 +9,19 @@
 #include <algorithm>
 
 #include "gui/workbench/editor/parameter_words.h"
+#include "gui/workbench/panels/focus_frame.h"
 #include "gui/workbench/panels/icons.h"
 
 namespace netpocket {
 namespace {
 
 constexpr int kVisibleRows = 8;
+
+// Rods, panels and ropes are counted from 1, times begin with 0.
+Eigen::Vector2d first_row(const Parameter& parameter) {
+  const bool counts = parameter.group() == "scatter" || parameter.group() == "winch";
+  return Eigen::Vector2d::Constant(counts ? 1 : 0);
+}
 
 // What the two numbers of a row are.
 QStringList titles_of(const Parameter& parameter) {
@@ -45,12 +52,15 @@ PairsField::PairsField(const Parameter& parameter, QWidget* parent)
   table_->setAccessibleName(label(parameter));
   connect(table_, &QTableWidget::cellChanged, this, &PairsField::read_cell);
   setFocusProxy(table_);
+  new FocusFrame(table_);  // an empty table has no cell that could show it
   if (profile) return;
 
   add_ = new QToolButton(this);
   add_->setToolTip(tr("Add a row below"));
+  add_->setAccessibleName(add_->toolTip());
   remove_ = new QToolButton(this);
   remove_->setToolTip(tr("Remove the row"));
+  remove_->setAccessibleName(remove_->toolTip());
   connect(add_, &QToolButton::clicked, this, &PairsField::add_row);
   connect(remove_, &QToolButton::clicked, this, &PairsField::remove_row);
   auto* buttons = new QHBoxLayout;
@@ -126,7 +136,7 @@ void PairsField::add_row() {
   Pairs next = pairs_;
   const int current = table_->currentRow();
   const std::size_t after = current >= 0 ? current + 1 : next.size();
-  Eigen::Vector2d row = next.empty() ? Eigen::Vector2d::Zero() : next[after - 1];
+  Eigen::Vector2d row = next.empty() ? first_row(parameter()) : next[after - 1];
   if (after < next.size()) {
     row = (row + next[after]) / 2;
   } else if (!next.empty()) {

@@ -152,6 +152,17 @@ TEST_F(Form, RowsOfTheClosingTableComeAndGo) {
   EXPECT_FALSE(row("closing.table").problem().isEmpty()) << "one point is no law";
 }
 
+TEST_F(Form, RowsOfScatterNameRodsOrPanelsAndStartSound) {
+  for (const auto& [key, head] : {std::pair("scatter.rod_stiffness", "rod"), {"scatter.panel_stiffness", "panel"}}) {
+    auto& table = part<QTableWidget>(key);
+    EXPECT_EQ(table.horizontalHeaderItem(0)->text(), head);
+    EXPECT_EQ(table.horizontalHeaderItem(1)->text(), "factor");
+    part<QToolButton>(key, 0).click();
+    EXPECT_EQ(table.rowCount(), 1);
+    EXPECT_TRUE(row(key).problem().isEmpty()) << row(key).problem().toStdString();
+  }
+}
+
 TEST_F(Form, ResetGoesToTheFileThenToTheDefault) {
   ASSERT_TRUE(document->open(document.write("a.toml", "[target]\nmass = 100\n")).ok());
   EXPECT_FALSE(row("target.mass").is_changed());

@@ -289,7 +289,9 @@ TEST_F(PictureTest, TextWithAnError) {
 }
 
 TEST_F(PictureTest, Preferences) {
-  PreferencesDialog dialog({}, 96 << 20, nullptr);
+  Preferences preferences;
+  preferences.folder = "/captures";  // the default is the home folder of whoever tests
+  PreferencesDialog dialog(preferences, 96 << 20, nullptr);
   expect_like_baseline(dialog.grab().toImage(), "preferences");
 }
 
