@@ -41,18 +41,29 @@ std::string mesh_bytes(const Scenario& scenario) {
   return bytes;
 }
 
-// The complete scenario, but without [scatter] where that says nothing: it then does nothing, and studies from before
-// it came are the same as after.
-std::string identified_text(const Scenario& scenario) {
-  std::string text = write_scenario_text(scenario);
+bool has_scatter(const Scenario& scenario) {
   for (const std::string_view key : {kRodStiffness, kRodPressure, kPanelStiffness}) {
     const Parameter* parameter = find_parameter(key, scenario);
-    if (parameter == nullptr || parameter->get(scenario) != parameter->initial()) return text;
+    if (parameter == nullptr || parameter->get(scenario) != parameter->initial()) return true;
   }
-  const auto begin = text.find(fmt::format("\n[{}]\n", scatter_group().name));
-  if (begin == text.npos) return text;
-  const auto end = std::min(text.find("\n[", begin + 1), text.size());
-  return text.erase(begin, end - begin);
+  return false;
+}
+
+// Erases what begins with `first` up to before the next `next`.
+void erase_from(std::string& text, const std::string& first, const std::string& next) {
+  const auto begin = text.find(first);
+  if (begin == text.npos) return;
+  const auto end = std::min(text.find(next, begin + 1), text.size());
+  text.erase(begin, end - begin);
+}
+
+// The complete scenario, but without [scatter] and the radius of edges where these do nothing: studies from before they
+// came are the same as after.
+std::string identified_text(const Scenario& scenario) {
+  std::string text = write_scenario_text(scenario);
+  if (scenario.contact.edge_radius == 0) erase_from(text, "\nedge_radius = ", "\n");
+  if (!has_scatter(scenario)) erase_from(text, fmt::format("\n[{}]\n", scatter_group().name), "\n[");
+  return text;
 }
 
 // Begins with what record_files.h looks for in a line.

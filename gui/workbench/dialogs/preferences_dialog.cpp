@@ -117,8 +117,6 @@ QWidget* PreferencesDialog::make_window_page() {
   auto* folder_label = new QLabel(tr("F&older for new files:"));
   folder_label->setBuddy(folder_);
   form->addRow(folder_label, folder_row);
-  form->addRow(tr("&Language:"), language_);
-  form->addRow(QString(), make_note(tr("Of the window, from the next start on. Commands and files stay English.")));
   return page;
 }
 
