@@ -39,6 +39,7 @@ Handle open_file(const std::string& path, bool& is_closed) {
     checked(H5Pset_metadata_read_attempts(access.get(), 20), "describe file access");
     file = H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access.get());
   }
+  if (file < 0 && path.ends_with(".toml")) throw Hdf5Error("it is a scenario; netpocket run makes a recording of it");
   return Handle(file, H5Fclose, "it is damaged or not an HDF5 file");
 }
 

@@ -43,7 +43,9 @@ constexpr std::array kCommands = {
     Command{"backends", "which ways to draw without a display there are", declare_backends},
 };
 
-constexpr const char* kFooter = R"(netpocket COMMAND --help tells more and gives examples. A first capture:
+constexpr const char* kFooter = R"(netpocket COMMAND --help tells more and gives examples.
+
+Examples:
   netpocket run scenarios/case1.toml -o case1.h5
   netpocket render case1.h5 --sheet sheet.png
   netpocket plot case1.h5 -o figures

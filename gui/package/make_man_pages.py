@@ -49,12 +49,15 @@ def body(text: str) -> list[str]:
     return page
 
 
-def manual(name: str, summary: str, version: str, text: str) -> str:
+def manual(name: str, summary: str, version: str, text: str, others: list[str]) -> str:
     usage = re.search(r"^Usage: (.*)$", text, re.MULTILINE)
     assert usage, f"{name} --help has no usage"
     page = [f'.TH {name.upper()} 1 "" "{version}" "User Commands"', ".SH NAME", f"{name} \\- {escaped(summary)}",
             ".SH SYNOPSIS", escaped(usage[1]), ".SH DESCRIPTION"]
-    return "\n".join(page + body(text.replace(usage[0], ""))) + "\n"
+    page += body(text.replace(usage[0], ""))
+    page += [".SH FILES", escaped("/usr/share/doc/netpocket/examples: scenarios and the reference of their keys")]
+    page += [".SH SEE ALSO", ", ".join(f"\\fB{escaped(other)}\\fP(1)" for other in others if other != name)]
+    return "\n".join(page) + "\n"
 
 
 def main() -> None:
@@ -73,7 +76,7 @@ def main() -> None:
         pages[f"netpocket-{command}"] = (summary, said(command, "--help"))
     for name, (summary, help_text) in pages.items():
         with gzip.GzipFile(folder / f"{name}.1.gz", "wb", mtime=0) as file:
-            file.write(manual(name, summary, version, help_text).encode())
+            file.write(manual(name, summary, version, help_text, list(pages)).encode())
 
 
 if __name__ == "__main__":

@@ -133,8 +133,8 @@ bool can_open_window() {
 int run_workbench(const WorkbenchOptions& options) {
   if (!can_open_window()) {
     throw NoDisplay(
-        "the workbench needs a display, and neither DISPLAY nor WAYLAND_DISPLAY is set; the other commands need none "
-        "(see netpocket --help)");
+        "the workbench needs a display, and neither DISPLAY nor WAYLAND_DISPLAY is set; the other commands need none, "
+        "and with QT_QPA_PLATFORM=offscreen it draws without one");
   }
   require_window_fonts();
   prepare_opengl_format();

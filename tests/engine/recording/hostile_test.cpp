@@ -93,6 +93,9 @@ TEST(Hostile, OtherFiles) {
     write_bytes(text, content);
     EXPECT_EQ(read_all(text), refusal(text, "it is damaged or not an HDF5 file"));
   }
+  const std::string scenario = folder.file("own.toml");
+  write_bytes(scenario, "name = \"own\"");
+  EXPECT_EQ(read_all(scenario), refusal(scenario, "it is a scenario; netpocket run makes a recording of it"));
   const std::string foreign = folder.file("foreign.h5");
   H5Fclose(H5Fcreate(foreign.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
   EXPECT_EQ(read_all(foreign), refusal(foreign, "it is not a Netpocket recording"));
