@@ -1,8 +1,13 @@
 #include "engine/contact/near_pairs.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cstdint>
 #include <limits>
+#include <memory>
+
+#include "engine/contact/sweep_kernel.h"
 
 namespace netpocket {
 namespace {
@@ -31,6 +36,29 @@ std::vector<std::pair<int, int>> sorted(const std::vector<std::pair<int, int>>& 
   return result;
 }
 
+// A box in a column. `place` is the column, then the position of the box's lower end along x, as one integer.
+struct Entry {
+  std::uint64_t place;
+  std::int32_t index, y, z;  // the box, and the cells of its lower corner
+};
+
+// Sorts entries by their places, digit by digit from the lowest (radix sort).
+void sort_by_place(std::vector<Entry>& entries) {
+  constexpr int kDigitBits = 11;
+  constexpr std::uint64_t kDigits = 1 << kDigitBits;
+  std::uint64_t largest = 0;
+  for (const Entry& entry : entries) largest = std::max(largest, entry.place);
+  std::vector<Entry> other(entries.size());
+  for (int shift = 0; shift < static_cast<int>(std::bit_width(largest)); shift += kDigitBits) {
+    const auto digit = [&](const Entry& entry) { return entry.place >> shift & (kDigits - 1); };
+    std::array<std::size_t, kDigits + 1> begin{};
+    for (const Entry& entry : entries) ++begin[digit(entry) + 1];
+    for (std::size_t i = 0; i < kDigits; ++i) begin[i + 1] += begin[i];
+    for (const Entry& entry : entries) other[begin[digit(entry)]++] = entry;
+    entries.swap(other);
+  }
+}
+
 // Finds the pairs of boxes within `margin` of each other along every axis. A grid in y and z divides space into columns
 // along x. A box is entered in every column that it reaches into. In each column a sweep along x (Cohen, Lin, Manocha &
 // Ponamgi 1995, doi:10.1145/199404.199437) finds the pairs. A pair that meets in several columns is reported only by
@@ -56,7 +84,8 @@ class NearPairs {
                                       [&](int first, int last, std::vector<Entry>& entries) {
                                         for (int i = first; i < last; ++i) add(i, entries);
                                       });
-    sort_entries(loop);
+    sort_by_place(entries_);
+    fill_rows();
     pairs_ =
         found_in_ranges<Pair>(loop, static_cast<int>(entries_.size()), kRange,
                               [&](int first, int last, std::vector<Pair>& found) { find_pairs(first, last, found); });
@@ -68,88 +97,77 @@ class NearPairs {
   using Pair = std::pair<int, int>;
   // Column size over the mean size of boxes: few boxes are in two columns, and few tests find no pair.
   static constexpr double kSizesOfAColumn = 3.5;
-  static constexpr double kMostColumns = 1e6, kMostColumnsOfABox = 16;  // along an axis
+  static constexpr double kMostColumns = 1 << 14, kMostColumnsOfABox = 16;  // along an axis
   static constexpr double kLeastSize = std::numeric_limits<double>::min();
-  static constexpr int kBitsAlong = 24;  // bits of a place for x; the others hold the column
-  // Place of the lower end of a box: the column, then the position along x, as one integer that is quick to sort.
-  struct Entry {
-    std::uint64_t place;
-    int index;
-  };
+  // Bits of a place for x; the others hold the column. All together are exact as a double.
+  static constexpr int kBitsAlong = 20;
 
   const AlignedBox3d& box(int index) const { return boxes_[static_cast<std::size_t>(index)]; }
-  std::uint64_t cell(double coordinate, int axis) const {
-    return static_cast<std::uint64_t>((coordinate - all_.min()[axis]) / cell_);
+  std::int32_t cell(double coordinate, int axis) const {
+    return static_cast<std::int32_t>((coordinate - all_.min()[axis]) / cell_);
   }
-  std::uint64_t column(double y, double z) const { return cell(y, 1) * layers_ + cell(z, 2); }
-  std::uint64_t place(std::uint64_t column, double x) const {
+  std::uint64_t column(std::int32_t y, std::int32_t z) const {
+    return static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(layers_) + static_cast<std::uint64_t>(z);
+  }
+  std::uint64_t along(double x) const {
     constexpr double kLast = (1 << kBitsAlong) - 1;
-    const double along = (x - all_.min().x()) / std::max(all_.sizes().x(), kLeastSize);
-    return column << kBitsAlong | static_cast<std::uint64_t>(kLast * std::clamp(along, 0.0, 1.0));
+    const double part = (x - all_.min().x()) / std::max(all_.sizes().x(), kLeastSize);
+    return static_cast<std::uint64_t>(kLast * std::clamp(part, 0.0, 1.0));
   }
 
   void add(int index, std::vector<Entry>& entries) const {
     const Vector3d low = box(index).min(), high = box(index).max().array() + margin_;
-    for (std::uint64_t y = cell(low.y(), 1); y <= cell(high.y(), 1); ++y) {
-      for (std::uint64_t z = cell(low.z(), 2); z <= cell(high.z(), 2); ++z) {
-        entries.push_back({place(y * layers_ + z, low.x()), index});
+    const std::uint64_t position = along(low.x());
+    const std::int32_t low_y = cell(low.y(), 1), low_z = cell(low.z(), 2);
+    const std::int32_t high_y = cell(high.y(), 1), high_z = cell(high.z(), 2);
+    for (std::int32_t y = low_y; y <= high_y; ++y) {
+      for (std::int32_t z = low_z; z <= high_z; ++z) {
+        entries.push_back({column(y, z) << kBitsAlong | position, index, low_y, low_z});
       }
     }
   }
 
-  // Merge sort: sorts eight parts of the entries, then merges neighbouring parts.
-  void sort_entries(const DividedLoop& loop) {
-    constexpr int kParts = 8;
-    const auto begin_of = [&](int part) {
-      return entries_.begin() + static_cast<std::ptrdiff_t>(entries_.size()) * part / kParts;
-    };
-    loop(kParts, 1, [&](int first, int last) {
-      for (int i = first; i < last; ++i) std::ranges::sort(begin_of(i), begin_of(i + 1), {}, &Entry::place);
-    });
-    for (int width = 1; width < kParts; width *= 2) {
-      loop(kParts / (2 * width), 1, [&](int first, int last) {
-        for (int i = 2 * width * first; i < 2 * width * last; i += 2 * width) {
-          std::ranges::inplace_merge(begin_of(i), begin_of(i + width), begin_of(i + 2 * width), {}, &Entry::place);
-        }
-      });
+  // The kernel reads what it compares in the order of the entries.
+  void fill_rows() {
+    const std::size_t size = entries_.size() + sweep_kernel::kPadding;
+    for (std::vector<double>& row : rows_) row.assign(size, 0.0);
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+      const AlignedBox3d& one = box(entries_[i].index);
+      rows_[0][i] = static_cast<double>(entries_[i].place);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        rows_[1 + axis][i] = one.min()[static_cast<Eigen::Index>(axis)];
+        rows_[4 + axis][i] = one.max()[static_cast<Eigen::Index>(axis)] + margin_;
+      }
     }
   }
 
   // Finds the pairs whose first box is among the entries [first, last).
   void find_pairs(int first, int last, std::vector<Pair>& found) const {
-    for (auto a = entries_.begin() + first; a != entries_.begin() + last; ++a) {
-      const AlignedBox3d& one = box(a->index);
-      const Vector3d high = one.max().array() + margin_;
-      const std::uint64_t column = a->place >> kBitsAlong, end = place(column, high.x());
-      for (auto b = a + 1; b != entries_.end() && b->place <= end; ++b) {
-        const AlignedBox3d& other = box(b->index);
-        if (are_near(one.min(), high, other) && column == meeting_column(one, other)) {
-          found.emplace_back(std::minmax(a->index, b->index));
-        }
+    static const auto meeting = NETPOCKET_VARIANT_OF(sweep_kernel, meeting);
+    const auto row = [&](std::size_t i) { return rows_[i].data(); };
+    const sweep_kernel::Rows rows = {row(0), {row(1), row(2), row(3)}, {row(4), row(5), row(6)}};
+    const auto end = static_cast<std::int32_t>(entries_.size());
+    const auto others = std::make_unique_for_overwrite<std::int32_t[]>(entries_.size());
+    for (std::int32_t i = first; i < last; ++i) {
+      const Entry& a = entries_[static_cast<std::size_t>(i)];
+      const std::uint64_t its_column = a.place >> kBitsAlong;
+      const std::uint64_t last_place = its_column << kBitsAlong | along(rows.high[0][i]);
+      const std::int32_t count = meeting(rows, i, end, static_cast<double>(last_place), others.get());
+      for (std::int32_t k = 0; k < count; ++k) {
+        const Entry& b = entries_[static_cast<std::size_t>(others[static_cast<std::size_t>(k)])];
+        if (its_column != column(std::max(a.y, b.y), std::max(a.z, b.z))) continue;
+        found.emplace_back(std::minmax(a.index, b.index));
       }
     }
-  }
-
-  // Whether a box from `low` to `high`, where `high` includes the margin, is near another. It evaluates all comparisons
-  // without branches, because the processor cannot predict them.
-  bool are_near(const Vector3d& low, const Vector3d& high, const AlignedBox3d& other) const {
-    const auto bit = [](bool value) { return static_cast<unsigned>(value); };
-    const Vector3d &from = other.min(), &to = other.max();
-    const unsigned begins_before = bit(from.x() <= high.x()) & bit(from.y() <= high.y()) & bit(from.z() <= high.z());
-    const unsigned ends_after =
-        bit(low.x() <= to.x() + margin_) & bit(low.y() <= to.y() + margin_) & bit(low.z() <= to.z() + margin_);
-    return (begins_before & ends_after) != 0;
-  }
-  std::uint64_t meeting_column(const AlignedBox3d& a, const AlignedBox3d& b) const {
-    return column(std::max(a.min().y(), b.min().y()), std::max(a.min().z(), b.min().z()));
   }
 
   std::span<const AlignedBox3d> boxes_;
   double margin_;
   AlignedBox3d all_;
-  double cell_ = 1;
-  std::uint64_t layers_ = 1;
+  double cell_ = 1;          // m
+  std::int32_t layers_ = 1;  // columns along z
   std::vector<Entry> entries_;
+  std::array<std::vector<double>, 7> rows_;  // of sweep_kernel::Rows
   std::vector<std::pair<int, int>> pairs_;
 };
 

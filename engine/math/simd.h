@@ -39,6 +39,9 @@ NETPOCKET_INLINE SimdDouble load(const double* block, int part) {
 NETPOCKET_INLINE void store(double* block, int part, const SimdDouble& value) {
   *reinterpret_cast<SimdDouble*>(block + part * kWidth) = value;
 }
+NETPOCKET_INLINE SimdDouble load_unaligned(const double* values) {
+  return *reinterpret_cast<const UnalignedSimdDouble*>(values);
+}
 NETPOCKET_INLINE SimdDouble broadcast(double value) { return SimdDouble{} + value; }
 
 NETPOCKET_INLINE SimdDouble larger(const SimdDouble& a, const SimdDouble& b) { return a < b ? b : a; }
@@ -57,6 +60,17 @@ NETPOCKET_INLINE bool is_any_positive(const SimdDouble& value) {
   return _mm256_movemask_pd(_mm256_cmp_pd(__m256d(value), _mm256_setzero_pd(), _CMP_GT_OQ)) != 0;
 #else
   return _mm_movemask_pd(_mm_cmpgt_pd(__m128d(value), _mm_setzero_pd())) != 0;
+#endif
+}
+
+// The lanes where a <= b, as bits.
+NETPOCKET_INLINE unsigned lanes_at_most(const SimdDouble& a, const SimdDouble& b) {
+#if defined(__AVX512F__)
+  return _mm512_cmp_pd_mask(__m512d(a), __m512d(b), _CMP_LE_OQ);
+#elif defined(__AVX__)
+  return static_cast<unsigned>(_mm256_movemask_pd(_mm256_cmp_pd(__m256d(a), __m256d(b), _CMP_LE_OQ)));
+#else
+  return static_cast<unsigned>(_mm_movemask_pd(_mm_cmple_pd(__m128d(a), __m128d(b))));
 #endif
 }
 
