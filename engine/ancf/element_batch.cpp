@@ -1,6 +1,7 @@
 #include "engine/ancf/element_batch.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "engine/ancf/element_kernel.h"
 #include "engine/math/instruction_set.h"
@@ -19,17 +20,28 @@ const Kernels& kernels() {
   return chosen;
 }
 
-// Fills base and rotation of a corner. base is -1 unless the lanes read an aligned run of eight coordinates, rotated.
+// More lanes than this that read coordinates apart from the run are dearer than to read all lanes one by one.
+constexpr int kMostOddLanes = 3;
+
+// Fills base, rotation and odd of a corner: the run that most lanes read, if only few lanes do not.
 void find_run(ElementBlock& block, int corner) {
   const std::int32_t* coordinate = block.coordinate[corner];
-  const std::int32_t base = coordinate[0] / kBlockSize * kBlockSize;
-  const std::int32_t rotation = coordinate[0] - base;
-  bool regular = true;
-  for (int lane = 0; lane < kBlockSize; ++lane) {
-    regular = regular && coordinate[lane] == base + (lane + rotation) % kBlockSize;
+  block.base[corner] = -1;
+  block.rotation[corner] = block.odd[corner] = 0;
+  int fewest = kMostOddLanes + 1;
+  for (int candidate = 0; candidate < kBlockSize; ++candidate) {
+    const std::int32_t base = coordinate[candidate] / kBlockSize * kBlockSize;
+    const std::int32_t rotation = (coordinate[candidate] - base - candidate + kBlockSize) % kBlockSize;
+    unsigned odd = 0;
+    for (int lane = 0; lane < kBlockSize; ++lane) {
+      if (coordinate[lane] != base + (lane + rotation) % kBlockSize) odd |= 1U << lane;
+    }
+    if (std::popcount(odd) >= fewest) continue;
+    fewest = std::popcount(odd);
+    block.base[corner] = base;
+    block.rotation[corner] = rotation;
+    block.odd[corner] = static_cast<std::uint8_t>(odd);
   }
-  block.base[corner] = regular ? base : -1;
-  block.rotation[corner] = regular ? rotation : 0;
 }
 
 void fill_lane(ElementBlock& block, SectionRows& rows, int lane, const BatchElement& element) {
@@ -81,13 +93,10 @@ ElementBatch::ElementBatch(std::span<const BatchElement> elements)
 }
 
 void ElementBatch::find_whole() {
-  const auto reads_runs = [](const ElementBlock& block) {
-    return std::ranges::all_of(block.base, [](std::int32_t base) { return base >= 0; });
-  };
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     ElementBlock& block = blocks_[b];
-    block.whole = reads_runs(block) && block.pairing != Pairing::elsewhere &&
-                  (block.pairing != Pairing::first || reads_runs(blocks_[b + 1]));
+    block.whole = block.reads_runs() && block.pairing != Pairing::elsewhere &&
+                  (block.pairing != Pairing::first || blocks_[b + 1].reads_runs());
   }
 }
 

@@ -56,15 +56,20 @@ struct alignas(64) SectionRows {
 struct alignas(64) ElementBlock {
   double length[kBlockSize];          // m
   double inverse_length[kBlockSize];  // 1/m
-  std::int32_t base[4];      // by corner: first coordinate of the aligned run of eight that the lanes read; -1: no run
-  std::int32_t rotation[4];  // lane i reads base + (i + rotation) mod 8
-  std::int32_t section;      // row of the table of sections
+  std::int32_t base[4];          // by corner: first coordinate of the aligned run of eight that lanes read; -1: no run
+  std::int32_t rotation[4];      // lane i reads base + (i + rotation) mod 8
+  std::uint8_t odd[4];           // by corner: the few lanes, as bits, that read other coordinates than the run's
+  std::int32_t section;          // row of the table of sections
   std::int32_t strain_partners;  // for Pairing::elsewhere: row of the table of strain partners
   bool variable;                 // whether the length of at least one lane changes
   Pairing pairing;
   bool whole;  // whether all corners read runs, also those of a pair's next block, and no strain partner is elsewhere
   alignas(64) double length_rate[kBlockSize];  // (dL/dt)/L, 1/s
   std::int32_t coordinate[4][kBlockSize];
+
+  // Whether all lanes read the run of the corner.
+  bool reads_run(int corner) const { return base[corner] >= 0 && odd[corner] == 0; }
+  bool reads_runs() const { return reads_run(0) && reads_run(1) && reads_run(2) && reads_run(3); }
 };
 
 // Input of the element kernels.

@@ -18,7 +18,7 @@ NETPOCKET_INLINE SimdVector gather_coordinates(const double* rows, const std::in
   return gather3(rows, place);
 }
 
-// Of a corner that reads a run.
+// Of a corner that reads a run, at least in most lanes.
 NETPOCKET_INLINE SimdVector load_run(const CoordinateRows& rows, const ElementBlock& block, int corner, int part) {
   const double* row = rows.first + static_cast<std::ptrdiff_t>(block.base[corner]) * kVectorRows;
   const int rotation = block.rotation[corner];
@@ -28,8 +28,18 @@ NETPOCKET_INLINE SimdVector load_run(const CoordinateRows& rows, const ElementBl
 
 NETPOCKET_INLINE SimdVector load_coordinate(const CoordinateRows& rows, const ElementBlock& block, int corner,
                                             int part) {
-  if (block.base[corner] >= 0) return load_run(rows, block, corner, part);
-  return gather_coordinates(rows.first, block.coordinate[corner], part);
+  if (block.base[corner] < 0) return gather_coordinates(rows.first, block.coordinate[corner], part);
+  SimdVector value = load_run(rows, block, corner, part);
+  const unsigned odd = block.odd[corner] >> (part * kWidth) & ((1U << kWidth) - 1);
+  for (unsigned left = odd; left != 0; left &= left - 1) {
+    const int lane = __builtin_ctz(left);
+    const std::ptrdiff_t coordinate = block.coordinate[corner][part * kWidth + lane];
+    const double* row = rows.first + (coordinate / kBlock * (kVectorRows * kBlock) + coordinate % kBlock);
+    value.x = with_lane(value.x, lane, row[0]);
+    value.y = with_lane(value.y, lane, row[kBlock]);
+    value.z = with_lane(value.z, lane, row[2 * kBlock]);
+  }
+  return value;
 }
 
 // Stores a vector in three force rows, of which `row` is the first.

@@ -101,6 +101,19 @@ NETPOCKET_INLINE SimdDouble load_rotated(const double* block, int part, int rota
 #endif
 }
 
+// With another value in one lane. Writing a lane by its index would pass through memory.
+NETPOCKET_INLINE SimdDouble with_lane(const SimdDouble& all, int lane, double value) {
+  using Lanes [[gnu::vector_size(sizeof(SimdDouble))]] = std::int64_t;
+#if defined(__AVX512F__)
+  constexpr Lanes kLanes = {0, 1, 2, 3, 4, 5, 6, 7};
+#elif defined(__AVX__)
+  constexpr Lanes kLanes = {0, 1, 2, 3};
+#else
+  constexpr Lanes kLanes = {0, 1};
+#endif
+  return kLanes == Lanes{} + lane ? broadcast(value) : all;
+}
+
 NETPOCKET_INLINE SimdDouble gather(const double* row, const std::ptrdiff_t* place) {
   SimdDouble value = {};
   for (int i = 0; i < kWidth; ++i) value[i] = row[place[i]];

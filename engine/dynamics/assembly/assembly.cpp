@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <optional>
 #include <tuple>
 
 #include "engine/base/thread_team.h"
@@ -10,34 +9,26 @@
 namespace netpocket {
 namespace {
 
-using update_kernel::BlockContribution;
 using update_kernel::LaneContribution;
+using update_kernel::PartContribution;
 
 int rotation_of(const LaneContribution& c) { return (c.element_lane - c.coordinate_lane + kBlockSize) % kBlockSize; }
 
-// The contributions as whole blocks if possible, else nothing. It is possible if every group of eight with equal
-// element block, corner and rotation covers all coordinate lanes.
-std::optional<std::vector<BlockContribution>> as_whole_blocks(std::span<const LaneContribution> contributions) {
-  std::vector<LaneContribution> sorted(contributions.begin(), contributions.end());
-  std::ranges::stable_sort(sorted, {}, [](const LaneContribution& c) {
-    return std::make_tuple(c.element_block, c.corner, rotation_of(c), c.coordinate_lane);
-  });
-  if (sorted.size() % kBlockSize != 0) return std::nullopt;
-  std::vector<BlockContribution> blocks;
-  for (std::size_t i = 0; i < sorted.size(); i += kBlockSize) {
-    const LaneContribution& head = sorted[i];
-    for (int lane = 0; lane < kBlockSize; ++lane) {
-      const LaneContribution& c = sorted[i + lane];
-      if (c.element_block != head.element_block || c.corner != head.corner || c.coordinate_lane != lane ||
-          rotation_of(c) != rotation_of(head)) {
-        return std::nullopt;
-      }
-    }
-    blocks.push_back({.sign = head.corner == Corner::position2 ? 1.0 : -1.0,
-                      .first_row = update_kernel::first_force_row(head.element_block, head.corner),
-                      .rotation = rotation_of(head)});
-  }
-  return blocks;
+// Fewer lanes than this are added one by one.
+constexpr std::size_t kLeastLanesOfAPart = 4;
+
+// Element block, corner and rotation: lanes that agree in these are added together.
+auto group_of(const LaneContribution& c) { return std::make_tuple(c.element_block, c.corner, rotation_of(c)); }
+
+double sign_of(Corner corner) { return corner == Corner::position2 ? 1.0 : -1.0; }
+
+PartContribution part_of(std::span<const LaneContribution> group) {
+  const LaneContribution& head = group.front();
+  PartContribution part{.sign = {},
+                        .first_row = update_kernel::first_force_row(head.element_block, head.corner),
+                        .rotation = rotation_of(head)};
+  for (const LaneContribution& c : group) part.sign[c.coordinate_lane] = sign_of(c.corner);
+  return part;
 }
 
 // Divides the coordinate blocks into equal parts, one per thread. Each part holds the blocks on which its part of the
@@ -87,17 +78,31 @@ Assembly::Assembly(std::span<const BatchElement> elements, std::int32_t coordina
 }
 
 void Assembly::add_block(std::int32_t coordinate_block, std::span<const LaneContribution> contributions) {
-  update_kernel::CoordinateBlock block{.coordinate_block = coordinate_block};
-  if (const auto whole = as_whole_blocks(contributions)) {
-    block.first = static_cast<std::int32_t>(block_contributions_.size());
-    block.count = static_cast<std::int32_t>(whole->size());
-    block.regular = true;
-    block_contributions_.insert(block_contributions_.end(), whole->begin(), whole->end());
-  } else {
-    block.first = static_cast<std::int32_t>(lane_contributions_.size());
-    block.count = static_cast<std::int32_t>(contributions.size());
-    lane_contributions_.insert(lane_contributions_.end(), contributions.begin(), contributions.end());
+  std::vector<LaneContribution> sorted(contributions.begin(), contributions.end());
+  std::ranges::stable_sort(
+      sorted, {}, [](const LaneContribution& c) { return std::tuple_cat(group_of(c), std::tuple(c.coordinate_lane)); });
+  const auto size = [](const auto& list) { return static_cast<std::int32_t>(list.size()); };
+  update_kernel::CoordinateBlock block{.coordinate_block = coordinate_block,
+                                       .whole = {.first = size(block_contributions_)},
+                                       .parts = {.first = size(part_contributions_)},
+                                       .lanes = {.first = size(lane_contributions_)}};
+  for (auto first = sorted.begin(); first != sorted.end();) {
+    const auto last = std::find_if(first, sorted.end(), [&](const auto& c) { return group_of(c) != group_of(*first); });
+    const std::span<const LaneContribution> group(first, last);
+    if (group.size() == kBlockSize) {
+      block_contributions_.push_back({.sign = sign_of(first->corner),
+                                      .first_row = update_kernel::first_force_row(first->element_block, first->corner),
+                                      .rotation = rotation_of(*first)});
+    } else if (group.size() >= kLeastLanesOfAPart) {
+      part_contributions_.push_back(part_of(group));
+    } else {
+      lane_contributions_.insert(lane_contributions_.end(), first, last);
+    }
+    first = last;
   }
+  block.whole.count = size(block_contributions_) - block.whole.first;
+  block.parts.count = size(part_contributions_) - block.parts.first;
+  block.lanes.count = size(lane_contributions_) - block.lanes.first;
   blocks_.push_back(block);
 }
 
@@ -105,6 +110,7 @@ void Assembly::describe(update_kernel::UpdateView& view) const {
   view.blocks = blocks_.data();
   view.place = place_.data();
   view.block_contributions = block_contributions_.data();
+  view.part_contributions = part_contributions_.data();
   view.lane_contributions = lane_contributions_.data();
 }
 

@@ -1,10 +1,12 @@
 #pragma once
-// The map from element forces to coordinates. Forces are summed coordinate by coordinate, with elements in ascending
+// The map from element forces to coordinates. Forces are summed coordinate by coordinate: first those of element blocks
+// that act on the whole block of coordinates, then those that act on most of it, then the others, each in ascending
 // order. So the sum does not depend on the number of threads and is the same in every sector.
 
 #include <span>
 #include <vector>
 
+#include "engine/base/aligned_vector.h"
 #include "engine/dynamics/assembly/coordinate_vectors.h"
 #include "engine/dynamics/assembly/update_kernel.h"
 
@@ -18,7 +20,7 @@ class Assembly {
            std::span<const std::uint8_t> is_last = {});
 
   int block_count() const { return static_cast<int>(blocks_.size()); }
-  // Fills the first four members of `view`. They point into this object, which must outlive the view.
+  // Fills the first five members of `view`. They point into this object, which must outlive the view.
   void describe(update_kernel::UpdateView& view) const;
   const update_kernel::CoordinateBlock& block(std::int32_t coordinate_block) const {
     return blocks_[static_cast<std::size_t>(place_[static_cast<std::size_t>(coordinate_block)])];
@@ -30,6 +32,7 @@ class Assembly {
   std::vector<update_kernel::CoordinateBlock> blocks_;
   std::vector<std::int32_t> place_;  // by block of coordinates: index into blocks_
   std::vector<update_kernel::BlockContribution> block_contributions_;
+  AlignedVector<update_kernel::PartContribution> part_contributions_;
   std::vector<update_kernel::LaneContribution> lane_contributions_;
 };
 

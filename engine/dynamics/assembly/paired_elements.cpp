@@ -40,8 +40,8 @@ void PairedElements::find_middles(std::span<const BatchElement> elements, std::i
   // The block between a corner of one block and a corner of the next; -1: none.
   const auto block_between = [&](const ElementBlock& one, int corner, const ElementBlock& next, int corner_of_next) {
     const std::int32_t base = one.base[corner];
-    const bool shared = base >= 0 && next.base[corner_of_next] == base && one.rotation[corner] == 0 &&
-                        next.rotation[corner_of_next] == 0;
+    const bool shared = one.reads_run(corner) && next.reads_run(corner_of_next) && next.base[corner_of_next] == base &&
+                        one.rotation[corner] == 0 && next.rotation[corner_of_next] == 0;
     const bool alone = shared && std::all_of(acting.begin() + base, acting.begin() + base + kBlockSize,
                                              [](int count) { return count == 2; });
     return alone ? base / kBlockSize : -1;

@@ -16,8 +16,8 @@ NETPOCKET_INLINE const double* row_at(const UpdateView& view, std::int32_t row) 
 
 template <bool kPrefetches>
 NETPOCKET_INLINE void add_regular(const UpdateView& view, const CoordinateBlock& block, int part, SimdVector& force) {
-  const BlockContribution* contribution = view.block_contributions + block.first;
-  for (std::int32_t i = 0; i < block.count; ++i, ++contribution) {
+  const BlockContribution* contribution = view.block_contributions + block.whole.first;
+  for (std::int32_t i = 0; i < block.whole.count; ++i, ++contribution) {
     if (kPrefetches && part == 0) {
       const double* later = row_at(view, contribution[kContributionsAhead].first_row);
       __builtin_prefetch(later);
@@ -32,11 +32,22 @@ NETPOCKET_INLINE void add_regular(const UpdateView& view, const CoordinateBlock&
   }
 }
 
+NETPOCKET_INLINE void add_parts(const UpdateView& view, const CoordinateBlock& block, int part, SimdVector& force) {
+  const PartContribution* contribution = view.part_contributions + block.parts.first;
+  for (std::int32_t i = 0; i < block.parts.count; ++i, ++contribution) {
+    const double* rows = row_at(view, contribution->first_row);
+    const SimdVector resisting = {load_rotated(rows, part, contribution->rotation),
+                                  load_rotated(rows + kBlock, part, contribution->rotation),
+                                  load_rotated(rows + 2 * kBlock, part, contribution->rotation)};
+    force = force + load(contribution->sign, part) * resisting;
+  }
+}
+
 // Not inline, because lanes that are written one by one would keep the forces of all blocks in memory.
 [[gnu::noinline]] void add_irregular(const UpdateView& view, const CoordinateBlock& block, int part,
                                      SimdVector& force) {
-  const LaneContribution* contribution = view.lane_contributions + block.first;
-  for (std::int32_t i = 0; i < block.count; ++i, ++contribution) {
+  const LaneContribution* contribution = view.lane_contributions + block.lanes.first;
+  for (std::int32_t i = 0; i < block.lanes.count; ++i, ++contribution) {
     if (contribution->coordinate_lane / kWidth != part) continue;
     const double* rows =
         row_at(view, first_force_row(contribution->element_block, contribution->corner)) + contribution->element_lane;
@@ -51,10 +62,9 @@ NETPOCKET_INLINE void add_regular(const UpdateView& view, const CoordinateBlock&
 template <bool kPrefetches>
 NETPOCKET_INLINE SimdVector force_on(const UpdateView& view, const CoordinateBlock& block, int part) {
   SimdVector force = applied_force(view, block.coordinate_block, part);
-  if (block.regular) {
-    add_regular<kPrefetches>(view, block, part, force);
-    return force;
-  }
+  add_regular<kPrefetches>(view, block, part, force);
+  if (block.parts.count > 0) add_parts(view, block, part, force);
+  if (block.lanes.count == 0) return force;
   SimdVector irregular = force;
   add_irregular(view, block, part, irregular);
   return irregular;

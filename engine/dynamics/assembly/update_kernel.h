@@ -9,11 +9,18 @@
 
 namespace netpocket::update_kernel {
 
-// The force rows of a whole element block act on a whole coordinate block. Lane i of the coordinates takes lane
-// (i + rotation) mod 8 of the elements.
+// The force rows of an element block act on a coordinate block. Lane i of the coordinates takes lane (i + rotation) mod
+// 8 of the elements.
 struct BlockContribution {
   double sign;             // -1, as rows hold internal forces; +1 for position2, which uses minus the rows of position1
   std::int32_t first_row;  // index of the first of three force rows, over all element blocks
+  std::int32_t rotation;
+};
+
+// The same in some lanes only.
+struct alignas(64) PartContribution {
+  double sign[kBlockSize];  // by lane of the coordinates: as BlockContribution::sign, or 0
+  std::int32_t first_row;
   std::int32_t rotation;
 };
 
@@ -34,18 +41,22 @@ struct LaneContribution {
   std::uint8_t coordinate_lane;
 };
 
-// The contributions to eight consecutive coordinates, in order of summation.
+// Part of a list.
+struct Section {
+  std::int32_t first = 0, count = 0;
+};
+
+// The contributions to eight consecutive coordinates. They are summed in this order.
 struct CoordinateBlock {
   std::int32_t coordinate_block = 0;  // the coordinates are coordinate_block * 8 to coordinate_block * 8 + 7
-  std::int32_t first = 0;
-  std::int32_t count = 0;
-  bool regular = false;  // whether contributions are BlockContribution, else LaneContribution
+  Section whole, parts, lanes;        // of the lists in UpdateView
 };
 
 struct UpdateView {
   const CoordinateBlock* blocks;
   const std::int32_t* place;  // by block of coordinates: index into `blocks`
   const BlockContribution* block_contributions;
+  const PartContribution* part_contributions;
   const LaneContribution* lane_contributions;
   const double* element_forces;
   bool exceeds_cache;          // whether the data of a step exceeds a processor's cache

@@ -129,7 +129,7 @@ void find_runs(const ElementBatch& batch, std::span<ContactBlock> contacts) {
   for (ContactBlock& block : contacts) {
     const int elements = block.element[std::countr_zero(block.used)] / kBlockSize;
     const ElementBlock& of_elements = batch.block(elements);
-    block.is_regular = std::ranges::all_of(of_elements.base, [](std::int32_t base) { return base >= 0; });
+    block.is_regular = of_elements.reads_runs();
     for_each_lane(block, [&](int lane) {
       block.is_regular = block.is_regular && block.element[lane] == elements * kBlockSize + lane;
       block.feeds = block.feeds || batch.block(block.element[lane] / kBlockSize).variable;

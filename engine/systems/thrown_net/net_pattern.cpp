@@ -14,6 +14,16 @@
 namespace netpocket {
 namespace {
 
+// Eight strips of rows, as equal as can be. The place counts rows within a strip, then columns.
+KnotPart part_of_square(int row, int column, int rows) {
+  constexpr int kParts = 8;
+  const int tall = rows % kParts, least = rows / kParts;  // the first strips have one row more than the others
+  const int of_tall = tall * (least + 1);
+  const int part = row < of_tall ? row / (least + 1) : tall + (row - of_tall) / std::max(least, 1);
+  const int within = row < of_tall ? row % (least + 1) : (row - of_tall) % std::max(least, 1);
+  return {part, within * rows + column};
+}
+
 NetPattern square(double side, int cells) {
   NetPattern net;
   const auto knot = [cells](int row, int column) { return row * (cells + 1) + column; };
@@ -21,6 +31,7 @@ NetPattern square(double side, int cells) {
     for (int column = 0; column <= cells; ++column) {
       net.knots.emplace_back(side * (static_cast<double>(column) / cells - 0.5),
                              side * (static_cast<double>(row) / cells - 0.5));
+      net.parts.push_back(part_of_square(row, column, cells + 1));
     }
   }
   for (int line = 0; line <= cells; ++line) {

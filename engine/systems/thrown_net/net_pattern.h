@@ -25,8 +25,14 @@ struct NetCord {
   std::string name;
 };
 
+// One of eight parts of a net that look alike, e.g. strips of rows, and the knot's place in it.
+struct KnotPart {
+  std::int32_t part = -1, place = -1;
+};
+
 struct NetPattern {
   std::vector<Eigen::Vector2d> knots;  // m
+  std::vector<KnotPart> parts;         // by knot; empty: the net is not divided
   std::vector<NetCord> cords;
   std::vector<std::array<std::int32_t, 3>> triangles;  // knots, all turning the same way
   std::vector<std::int32_t> perimeter;                 // knots, in their order round the net

@@ -10,6 +10,8 @@
 
 #include "engine/math/elementary.h"
 #include "engine/math/rotation.h"
+#include "engine/model/lane_order.h"
+#include "engine/model/reorder.h"
 #include "engine/scenario/target_shape.h"
 #include "engine/systems/pocket/materials.h"
 
@@ -48,6 +50,7 @@ class ThrownNetBuilder {
     add_corner_masses();
     if (given_.tethered) add_tether();
     throw_net();
+    order_by_parts();
     return std::move(net_);
   }
 
@@ -64,6 +67,10 @@ class ThrownNetBuilder {
   void add_corner_masses();
   void add_tether();
   void throw_net();
+  LaneItem part_of(std::int32_t node) const;
+  LaneItem part_of(const ModelGradient& gradient) const;
+  LaneItem part_of(const ModelElement& element) const;
+  void order_by_parts();
 
   const Scenario& scenario_;
   ThrownNetParameters given_;
@@ -231,6 +238,47 @@ void ThrownNetBuilder::throw_net() {
   if (!given_.recoil) return;
   craft.state.velocity = -momentum / craft.mass;
   craft.state.angular_velocity = -(craft.inertia.inverse() * angular_momentum);
+}
+
+// Knots were added first, in the order of the pattern.
+LaneItem ThrownNetBuilder::part_of(std::int32_t node) const {
+  const auto& parts = net_.pattern.parts;
+  const auto index = static_cast<std::size_t>(node);
+  if (index >= parts.size()) return {};
+  return {parts[index].part, {parts[index].place, -1, -1, -1}};
+}
+
+// An element between two knots belongs to the part of the first.
+LaneItem ThrownNetBuilder::part_of(const ModelElement& element) const {
+  LaneItem item = part_of(element.node1);
+  const LaneItem other = part_of(element.node2);
+  if (item.part < 0 || other.part < 0) return {};
+  item.place[1] = other.place[0];
+  return item;
+}
+
+// The gradients of a square net's cords are along x or z, so the axis tells those of a knot apart.
+LaneItem ThrownNetBuilder::part_of(const ModelGradient& gradient) const {
+  int axis = 0;
+  gradient.value.cwiseAbs().maxCoeff(&axis);
+  if (gradient.value != gradient.value[axis] * Eigen::Vector3d::Unit(axis)) return {};
+  LaneItem item = part_of(gradient.node);
+  item.place[1] = axis;
+  return item;
+}
+
+// So that the kernels compute the same place of eight parts at once.
+void ThrownNetBuilder::order_by_parts() {
+  if (net_.pattern.parts.empty()) return;
+  std::vector<LaneItem> nodes, gradients, elements;
+  for (std::size_t i = 0; i < model_.nodes.size(); ++i) nodes.push_back(part_of(static_cast<std::int32_t>(i)));
+  for (const ModelGradient& gradient : model_.gradients) gradients.push_back(part_of(gradient));
+  for (const ModelElement& element : model_.elements) elements.push_back(part_of(element));
+  const NewIndices to = reorder(model_, {lane_order(nodes), lane_order(gradients), lane_order(elements)});
+  renumber(net_.knots, to.nodes);
+  renumber(net_.corner_masses, to.nodes);
+  renumber(net_.net_elements, to.elements);
+  renumber(std::span(&net_.tether_end, 1), to.elements);
 }
 
 }  // namespace
