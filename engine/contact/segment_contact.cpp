@@ -159,7 +159,8 @@ WeightedPlace deepest_of_parabola(const SegmentContact& contact, double radius, 
                                   const DepthAt& known) {
   const double from = contact.nearest.t, depth = radius - contact.nearest.distance;
   const double rise = weight.at_end - weight.at_start, here = weight.at(from);
-  const double slope = -contact.slopes[rise > 0 ? 1 : 0], way = known.t - from;
+  const bool is_inside = from > 0 && from < 1;
+  const double slope = is_inside ? 0 : -contact.slopes[rise > 0 ? 1 : 0], way = known.t - from;
   if (way == 0) return {from, here, depth, true};
   const double bend = std::min((known.depth - depth - slope * way) / (way * way), 0.0);
   const double square = 6 * rise * bend, linear = 3.5 * rise * slope + 5 * here * bend;
@@ -182,20 +183,73 @@ WeightedPlace estimate_deepest(const SegmentContact& contact, double radius, con
   return deepest_of_parabola(contact, radius, weight, at_heavier_end(contact, radius, weight));
 }
 
+namespace {
+
+// Looks for the zero of the slope of weight * depth^2.5 between the nearest place and the end of the larger weight. The
+// slope, over 2/5 of weight * depth^1.5, is weight' depth + 2.5 weight depth'. It falls all along where the solid is
+// convex.
+class DeepestSearch {
+ public:
+  DeepestSearch(const ContactPart& part, const Segment& segment, const SegmentContact& contact, double radius,
+                const PieceWeight& weight)
+      : part_(part), segment_(segment), contact_(contact), radius_(radius), weight_(weight) {}
+
+  SegmentPlace find() {
+    constexpr int kMostTrials = 30;
+    constexpr double kFlat = 0.01;   // slope that is left, by that at the nearest place
+    constexpr double kClose = 1e-7;  // m: places nearer than this to each other are one
+    const double end = rise() > 0 ? 1 : 0;
+    Trial low{contact_.nearest, std::abs(rise()) * (radius_ - contact_.nearest.distance)};
+    const double steepest = low.slope, length = symmetric_norm(segment_.end - segment_.start);
+    if (contact_.nearest.t == end) return contact_.nearest;
+    Trial high = trial(end);
+    if (high.slope >= 0) return high.place;
+    for (int i = 0; i < kMostTrials && std::abs(high.place.t - low.place.t) * length > kClose; ++i) {
+      const Trial next = trial(guess(low, high, i));
+      if (std::abs(next.slope) <= kFlat * steepest) return next.place;
+      (next.slope > 0 ? low : high) = next;
+    }
+    return low.place;
+  }
+
+ private:
+  struct Trial {
+    SegmentPlace place;
+    double slope;  // towards the end of the larger weight
+  };
+  double rise() const { return weight_.at_end - weight_.at_start; }
+
+  Trial trial(double t) const {
+    const SegmentPlace place = place_on_segment(part_, segment_, t);
+    const double deepening = -symmetric_dot(place.normal, segment_.end - segment_.start);
+    const double slope = rise() * (radius_ - place.distance) + 2.5 * weight_.at(t) * deepening;
+    return {place, rise() > 0 ? slope : -slope};
+  }
+
+  // In turn the parabola through the nearest place and `high`, and the secant of the slopes.
+  double guess(const Trial& low, const Trial& high, int number) const {
+    const double from = low.place.t, to = high.place.t;
+    double t = from + (to - from) * low.slope / (low.slope - high.slope);
+    if (number % 2 == 0 && from == contact_.nearest.t) {
+      t = deepest_of_parabola(contact_, radius_, weight_, {to, radius_ - high.place.distance}).t;
+    }
+    constexpr double kInside = 1e-3;
+    const double margin = kInside * (to - from);
+    return std::clamp(t, std::min(from + margin, to - margin), std::max(from + margin, to - margin));
+  }
+
+  const ContactPart& part_;
+  const Segment& segment_;
+  const SegmentContact& contact_;
+  double radius_;
+  PieceWeight weight_;
+};
+
+}  // namespace
+
 SegmentPlace find_deepest(const ContactPart& part, const Segment& segment, const SegmentContact& contact, double radius,
                           const PieceWeight& weight) {
-  constexpr int kMostParabolas = 6;
-  constexpr double kCloseEnough = 0.02;  // fraction of the depth at the nearest place
-  DepthAt known = at_heavier_end(contact, radius, weight);
-  for (int i = 0; i < kMostParabolas; ++i) {
-    const WeightedPlace place = deepest_of_parabola(contact, radius, weight, known);
-    if (place.is_nearest) break;
-    const SegmentPlace found = place_on_segment(part, segment, place.t);
-    const double depth = radius - found.distance;
-    if (std::abs(depth - place.depth) <= kCloseEnough * (radius - contact.nearest.distance)) return found;
-    known = {place.t, depth};
-  }
-  return contact.nearest;
+  return DeepestSearch(part, segment, contact, radius, weight).find();
 }
 
 SegmentPlace place_on_segment(const ContactPart& part, const Segment& segment, double t) {

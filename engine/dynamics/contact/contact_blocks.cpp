@@ -108,6 +108,7 @@ void place_touches(const TouchBlock& touch, std::int32_t body, const ContactSear
   contacts.feeds = false;
   std::ranges::copy(touch.element, contacts.element);
   std::ranges::fill(contacts.part, 0);
+  std::ranges::fill(contacts.is_extra, false);
   std::fill_n(&contacts.place[0][0], 4 * kBlockSize, 0);
   std::copy_n(search.sphere_touches().holders(touch.block, touch.place), kBlockSize, contacts.holder);
   std::copy_n(search.sphere_touches().are_cord_ends(touch.block, touch.place), kBlockSize, contacts.is_cord_end);

@@ -193,7 +193,9 @@ void forces(const ForceView& view, const BodyMotion& body, ContactBlock* contact
       const SimdVector after = velocity_at_places(view.predicted, c, part) - surface;
       const SimdDouble separation = dot(after, normal);
       const SimdDouble elastic = spring_force(c, part), share = load(c.share, part);
-      const auto [push, is_stopped, is_unresolved] = normal_force(view, c, part, elastic, approach, separation, w);
+      const auto [own_push, is_stopped, is_unresolved] = normal_force(view, c, part, elastic, approach, separation, w);
+      // What takes back a spring's force takes back nothing else.
+      const SimdDouble push = share < broadcast(0.0) ? elastic : own_push;
       const SimdVector sliding = after - separation * normal;
       const SimdVector force =
           push * normal - resistance(view, push, square_root(dot(sliding, sliding)), across) * sliding;

@@ -37,6 +37,7 @@ struct alignas(64) ContactBlock {
   std::int32_t element[kBlockSize];
   std::int32_t part[kBlockSize], holder[kBlockSize];  // of the body; of the cord (contact_search.h)
   bool is_cord_end[kBlockSize];                       // whether the holder is an end of the cord
+  bool is_extra[kBlockSize];                          // CordTouch::is_extra
   std::int32_t body;
   bool feeds;                            // whether any contact is on an element of variable length
   std::int32_t first_place, first_part;  // CordTouch::first_place and part of all contacts

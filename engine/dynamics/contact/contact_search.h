@@ -5,11 +5,14 @@
 // Places that bear force. The nodes and middles of elements, half an element apart, are the holders of contact. Where
 // halves of elements are longer than the body is thick, holders are a quarter of an element apart. Otherwise one holder
 // could have to bear at two edges of the body. Each holder has a weight that falls linearly from one at the holder to
-// zero at its neighbours; the weights add up to one. A holder's contact is at the place where weight * depth^2.5 is
-// largest, a product that the energy of its spring is proportional to. So a cord on an edge, which it touches in one
-// place, meets the same spring in the middle of an element as at a node. A cord that lies on a face touches it once for
-// each holder. The force is the derivative of the springs' energy, since the energy does not depend on the place to
-// first order.
+// zero at its neighbours; the weights add up to one. Its contacts are at the places of the capsules in its range where
+// weight * depth^2.5 is largest, a product that the energy of a spring is proportional to, and, with a negative share,
+// at the vertices between these capsules. What is counted at a vertex for both sides cancels. So a cord on an edge,
+// which it touches in one place, meets the same spring in the middle of an element as at a node, and a cord that lies
+// on a face touches it once for each holder. The force is the derivative of the springs' energy, which has no kinks.
+//
+// On spheres larger than an element, and where cords may pass half of a solid's thickness within a step, a holder has
+// one contact: where weight * depth^2.5 is largest of all capsules.
 //
 // Completeness. A point of a cord approaches the body by at most the distance passed to note_way, which is measured
 // after each step, not predicted. An element cannot touch the body before this distance exceeds its clearance. See
@@ -46,7 +49,8 @@ struct CordTouch {
   // at their node.
   std::int32_t first_element = 0, first_place = 0;
   double t = 0;              // position along the segment, 0 to 1
-  double share = 0;          // weight of the holder there, 0 to 1
+  double share = 0;          // weight of the holder there, -1 to 2; negative: it takes back what others count twice
+  bool is_extra = false;     // whether the holder has another place with a higher score
   double penetration = 0;    // m; negative: still apart
   bool is_cord_end = false;  // whether its holder is an end of the cord
   double score = 0;          // increases with share * penetration^2.5; negative for places still apart
@@ -113,10 +117,40 @@ class ContactSearch {
     std::int32_t element, part;
     const Chain &world, &local;
     const Contacts& contacts;
+    const std::array<SurfacePoint, CordPolyline::kSegments + 1>& vertices;  // nearest on the part, of `local`
     const DynamicBody& body;
     double ahead;  // m
   };
   void touch(const Meeting& meeting, int holder, const Candidate& candidate, std::vector<CordTouch>& touches);
+  // Half of a holder's range: one piece of an element.
+  struct Side {
+    int holder, piece;
+    bool is_before;  // whether the piece ends at the holder; else it starts there
+  };
+  // A place and how often the energy there counts.
+  struct CountedPlace {
+    int segment;
+    SegmentPlace place;
+    double weight;
+    int count, number;  // `number` tells the places of a holder apart
+  };
+  // By vertex of a piece: number of capsules whose deepest place it is.
+  using Ends = std::array<int, CordPolyline::kSegments + 1>;
+  void touch_side(const Meeting& meeting, const Side& side, std::vector<CordTouch>& touches);
+  Ends add_capsules(const Meeting& meeting, const Side& side, std::vector<CordTouch>& touches);
+  void add_vertices(const Meeting& meeting, const Side& side, const Ends& ends, std::vector<CordTouch>& touches);
+  double weight_at(const Side& side, int vertex) const;
+  bool is_touching(const Meeting& meeting, int segment) const;
+  void add_place(const Meeting& meeting, const Side& side, const CountedPlace& counted,
+                 std::vector<CordTouch>& touches);
+  // A holder whose contacts are being found.
+  struct Open {
+    std::int32_t best = -1;       // index of the touch with the highest score
+    std::int32_t at_holder = -1;  // index into at_holders_: the contact at the holder itself; -1: none
+    int sides = 0, ends = 0;      // sides in contact there; those whose deepest place it is
+  };
+  static void append(Open& open, const CordTouch& touch, std::vector<CordTouch>& touches);
+  void finish_holders(std::vector<CordTouch>& touches);
   CordTouch* claim(std::int32_t element, std::int32_t part, int place, double score, std::vector<CordTouch>& touches);
   std::size_t holder_index(std::int32_t element, int holder) const;
 
@@ -134,7 +168,9 @@ class ContactSearch {
   double approach_ = 0;              // m, sum of note_way since forget()
   AlignedVector<double> rows_;       // vertices of one block
   SphereTouches sphere_touches_;
-  // By part and holder: index into the touches that are being found, or -1.
+  std::vector<Open> open_;
+  std::vector<CordTouch> at_holders_;
+  // By part and holder: index into open_, or -1.
   std::vector<std::vector<std::int32_t>> holder_touch_;
   std::vector<std::pair<std::int32_t, std::size_t>> taken_;  // part and holder of these entries
 };

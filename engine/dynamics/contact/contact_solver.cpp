@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engine/dynamics/contact/contact_blocks.h"
 #include "engine/dynamics/contact/contact_stop.h"
@@ -143,13 +144,15 @@ void ContactSolver::add_contact(std::int32_t body, double body_mass, const CordT
   block.penetration[lane] = touch.penetration;
   block.stiffness[lane] = law.law.stiffness;
   block.damping[lane] = law.law.damping;
-  block.deepest[lane] = std::min(law.impact, law.deepest);
+  // A place that takes back what others count twice stops nothing.
+  block.deepest[lane] = touch.share < 0 ? std::numeric_limits<double>::infinity() : std::min(law.impact, law.deepest);
   block.share[lane] = touch.share;
+  block.is_extra[lane] = touch.is_extra;
   block.element[lane] = touch.element;
   block.part[lane] = touch.part;
   block.holder[lane] = touch.holder;
   block.is_cord_end[lane] = touch.is_cord_end;
-  partner.shares += touch.share;
+  partner.shares += std::abs(touch.share);
 }
 
 // Follows the place along its velocity relative to the body, by sphere tracing: it advances by the gap to the body,
@@ -256,12 +259,14 @@ void ContactSolver::apply_offsets(Partner& partner, double body_mass) {
     ContactBlock& block = contacts_[i];
     for_each_lane(block, [&](int lane) {
       const SpringOffsets::Place place(block.part[lane], block.holder[lane]);
-      const double depth = block.penetration[lane], offset = partner.offsets.follow(place, depth);
+      const double depth = block.penetration[lane];
+      const double offset =
+          block.is_extra[lane] ? std::min(partner.offsets.of(place), depth) : partner.offsets.follow(place, depth);
       const ContactLaw& law =
           partner.laws.of(block.element[lane], block.part[lane], block.is_cord_end[lane], body_mass);
       block.penetration[lane] = depth - offset;
       block.offset[lane] = offset;
-      block.deepest[lane] = std::min(law.impact, law.deepest - offset);
+      if (block.share[lane] > 0) block.deepest[lane] = std::min(law.impact, law.deepest - offset);
       present.push_back(place);
     });
   }
@@ -291,7 +296,7 @@ void ContactSolver::fit_stiffness(double dt, const std::vector<DynamicBody>& bod
   for (Partner& partner : partners_) partner.laws.set_steps(steps_);
   for_each_contact([&](const ContactBlock& block, int lane) {
     const double compression = block.penetration[lane], depth = compression + block.offset[lane];
-    if (!(compression > 0)) return;
+    if (!(compression > 0) || block.is_extra[lane]) return;
     const auto body = static_cast<std::size_t>(block.body);
     const double stiffness =
         partners_[body]
@@ -428,6 +433,14 @@ contact_kernel::ContactPower ContactSolver::dissipated_power(const CoordinateVec
     if (partners_[b].first < partners_[b].last) total += power_of(b, velocities.rows(), bodies[b]);
   }
   return total;
+}
+
+double ContactSolver::largest_compression() const {
+  const auto begin_at_surface = [](const Partner& partner) { return partner.offsets.are_zero(); };
+  if (std::ranges::all_of(partners_, begin_at_surface)) return deepest_penetration_;
+  double largest = 0;
+  for_each_contact([&](const ContactBlock& block, int lane) { largest = std::max(largest, block.penetration[lane]); });
+  return largest;
 }
 
 std::optional<ContactSolver::Depth> ContactSolver::deepest_contact() const {

@@ -23,6 +23,7 @@ class SpringOffsets {
 
   // Whether all springs begin at the surface.
   bool are_zero() const { return places_.empty(); }
+  double of(const Place& place) { return at(place); }  // m
   // Offset (m) of a contact at its present depth (m); not more than that.
   double follow(const Place& place, double depth);
   void set(const Place& place, double offset);
