@@ -203,7 +203,7 @@ struct Simulation::Impl {
     if (scenario.solver.time_step == 0 && limiter.factor() < 1) system.note_shortened_step();
     system.step(time_step);
     controls.after_step(time_step);
-    limiter.note_penetration(system.penetration(), system.spring_compression());
+    limiter.note_penetration(system.penetration());
     const bool is_unresolved = unresolved() > unresolved_before;
     if (is_unresolved) limiter.note_unresolved_contacts();
     if (++steps_in_interval == interval_steps) {

@@ -435,14 +435,6 @@ contact_kernel::ContactPower ContactSolver::dissipated_power(const CoordinateVec
   return total;
 }
 
-double ContactSolver::largest_compression() const {
-  const auto begin_at_surface = [](const Partner& partner) { return partner.offsets.are_zero(); };
-  if (std::ranges::all_of(partners_, begin_at_surface)) return deepest_penetration_;
-  double largest = 0;
-  for_each_contact([&](const ContactBlock& block, int lane) { largest = std::max(largest, block.penetration[lane]); });
-  return largest;
-}
-
 std::optional<ContactSolver::Depth> ContactSolver::deepest_contact() const {
   std::optional<Depth> deepest;
   for_each_contact([&](const ContactBlock& block, int lane) {

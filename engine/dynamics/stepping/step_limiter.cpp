@@ -5,9 +5,8 @@
 namespace netpocket {
 namespace {
 
-// Penetrations (m): steps are shortened above kDeep and grow again while springs are compressed by less than kShallow.
-// A spring that a short step has made stiffer bears its load at a small compression, whatever its depth. A run is given
-// up above kDeepest if its steps are already the shortest.
+// Penetrations (m): steps are shortened above kDeep and grow again below kShallow. A run is given up above kDeepest if
+// its steps are already the shortest.
 constexpr double kDeep = 0.02, kShallow = 0.004, kDeepest = 0.05;
 // Factor on the steps after an interval with deep contacts. It makes penetrations 0.55 times as deep.
 constexpr double kShortening = 0.7;
@@ -24,11 +23,11 @@ constexpr double kLeastEnergy = 1e-6;
 }  // namespace
 
 void StepLimiter::follow_contacts() {
-  const double deepest = std::exchange(deepest_, 0.0), compression = std::exchange(most_compressed_, 0.0);
+  const double deepest = std::exchange(deepest_, 0.0);
   const bool exhausted = for_contacts_ <= kLeastForContacts;
   overload_ = exhausted && deepest > kDeepest ? deepest : 0;
   if (deepest > kDeep) for_contacts_ = std::max(kLeastForContacts, kShortening * for_contacts_);
-  if (deepest < kDeep && compression < kShallow) for_contacts_ = std::min(1.0, for_contacts_ / kShortening);
+  if (deepest < kShallow) for_contacts_ = std::min(1.0, for_contacts_ / kShortening);
 }
 
 void StepLimiter::note_unresolved_contacts() { for_contacts_ = std::max(kLeastForContacts, 0.5 * for_contacts_); }
@@ -47,7 +46,7 @@ void StepLimiter::follow_energy(double aliased, double exchanged) {
 }
 
 void StepLimiter::visit_state(const std::function<void(double&)>& visit) {
-  for (double* value : {&deepest_, &most_compressed_, &for_contacts_, &for_energy_, &overload_}) visit(*value);
+  for (double* value : {&deepest_, &for_contacts_, &for_energy_, &overload_}) visit(*value);
 }
 
 }  // namespace netpocket

@@ -16,12 +16,8 @@ namespace netpocket {
 
 class StepLimiter {
  public:
-  // Deepest penetration (m) of cords into bodies in the step just made, and the largest compression (m) of a contact's
-  // spring. They differ where springs begin below the surface (spring_offsets.h).
-  void note_penetration(double depth, double compression) {
-    deepest_ = std::max(deepest_, depth);
-    most_compressed_ = std::max(most_compressed_, compression);
-  }
+  // Deepest penetration (m) of cords into bodies in the step just made.
+  void note_penetration(double depth) { deepest_ = std::max(deepest_, depth); }
   // To be called after a step in which contacts were stopped at their greatest depth or had springs too stiff for the
   // step (contact_solver.h). Halves the next steps.
   void note_unresolved_contacts();
@@ -43,7 +39,7 @@ class StepLimiter {
   void visit_state(const std::function<void(double&)>& visit);
 
  private:
-  double deepest_ = 0, most_compressed_ = 0;  // m, of this interval
+  double deepest_ = 0;  // m, of this interval
   double for_contacts_ = 1, for_energy_ = 1;
   double overload_ = 0;  // m
 };

@@ -322,8 +322,6 @@ CordContactSum CableSystem::cord_contacts() const {
   if (contacts == nullptr) return {};
   return {contacts->count(), contacts->total_normal_force(), contacts->deepest_part().part};
 }
-double CableSystem::spring_compression() const { return impl_->contacts.with_bodies().largest_compression(); }
-
 double CableSystem::penetration() const { return impl_->contacts.with_bodies().deepest_penetration(); }
 double CableSystem::contact_step() const { return impl_->contacts.reference_step(); }
 void CableSystem::note_shortened_step() { ++impl_->safeguards.shortened_steps; }

@@ -145,8 +145,6 @@ class CableSystem {
   ContactDepths take_deepest_contacts();
   // Deepest penetration (m) of cords into bodies in the last step.
   double penetration() const;
-  // Largest compression (m) of a spring of such a contact in the last step.
-  double spring_compression() const;
   // Step (s) that the stiffness of contacts is based on; 0 before the first step.
   double contact_step() const;
   // To be called by whoever chooses the steps, for each step that is shorter than stability requires.

@@ -19,8 +19,8 @@ namespace {
 constexpr double kDeep = 0.1, kShallow = 0.001;  // m
 
 void stretch(StepLimiter& limiter, double depth) {
-  limiter.note_penetration(depth, depth);
-  limiter.note_penetration(0, 0);
+  limiter.note_penetration(depth);
+  limiter.note_penetration(0);
   limiter.follow_contacts();
 }
 
