@@ -1,6 +1,7 @@
 #include "engine/sampling/sobol_sequence.h"
 
 #include <array>
+#include <bit>
 #include <boost/random/sobol.hpp>
 #include <vector>
 
@@ -34,12 +35,17 @@ Directions joe_kuo_directions() {
   return directions;
 }
 
-std::uint32_t sobol_bits(std::uint64_t index, int axis) {
+const Directions& directions() {
   static const Directions kDirections = joe_kuo_directions();
+  return kDirections;
+}
+
+std::uint32_t sobol_bits(std::uint64_t index, int axis) {
+  const Directions& of_bits = directions();
   std::uint32_t bits = 0;
   std::uint64_t gray = index ^ index >> 1;
   for (std::size_t bit = 0; bit < kBits; ++bit, gray >>= 1) {
-    if ((gray & 1) != 0) bits ^= kDirections[bit][static_cast<std::size_t>(axis)];
+    if ((gray & 1) != 0) bits ^= of_bits[bit][static_cast<std::size_t>(axis)];
   }
   return bits;
 }
@@ -65,6 +71,14 @@ double as_fraction(std::uint32_t bits) { return static_cast<double>(bits) * 0x1p
 }  // namespace
 
 double sobol(std::uint64_t index, int axis) { return as_fraction(sobol_bits(index, axis)); }
+
+// The Gray codes of an index and of the one before it differ in the lowest bit that is set in the index.
+void SobolWalk::next() {
+  const auto& direction = directions()[static_cast<std::size_t>(std::countr_zero(++index_))];
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimensions_); ++axis) bits_[axis] ^= direction[axis];
+}
+
+double SobolWalk::operator[](int axis) const { return as_fraction(bits_[static_cast<std::size_t>(axis)]); }
 
 double scrambled_sobol(std::uint64_t index, int axis, std::uint64_t seed) {
   const PhiloxCounter words = random_words(seed, 0, static_cast<std::uint32_t>(axis), RandomPurpose::scrambling);

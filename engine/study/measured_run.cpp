@@ -1,6 +1,7 @@
 #include "engine/study/measured_run.h"
 
 #include <cmath>
+#include <limits>
 
 #include "engine/analysis/report.h"
 #include "engine/analysis/run_in_memory.h"
@@ -43,6 +44,7 @@ MetricOptions options_of(const Scenario& scenario, const RunOrigin& origin, cons
   MetricOptions options = metric_options(scenario, structure);
   options.closing_end = phase_end(origin.phases, kClosing);
   options.phases = origin.phases;
+  options.interval = std::numeric_limits<double>::infinity();  // nobody looks at quantities over time
   return options;
 }
 

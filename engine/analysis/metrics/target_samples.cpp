@@ -13,8 +13,10 @@ namespace {
 template <typename Use>
 void fill_box(const Eigen::AlignedBox3d& box, int count, const Use& use) {
   constexpr std::uint64_t kMostPoints = 2'000'000;  // for shapes that fill next to nothing of their box
+  SobolWalk walk(3);
   for (std::uint64_t i = 1; count > 0 && i < kMostPoints; ++i) {
-    const Eigen::Vector3d part(sobol(i, 0), sobol(i, 1), sobol(i, 2));
+    walk.next();
+    const Eigen::Vector3d part(walk[0], walk[1], walk[2]);
     if (use(Eigen::Vector3d(box.min() + box.sizes().cwiseProduct(part)))) --count;
   }
 }

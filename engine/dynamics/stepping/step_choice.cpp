@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "engine/math/power.h"
@@ -15,6 +16,8 @@ namespace {
 constexpr double kLengthRatio = 0.85;
 // Bounds of rope elements are computed for lengths that are powers of this ratio.
 constexpr double kClassRatio = 1.01;
+// Part of a length, far above the rounding error of class_of: nearer to the end of a class only class_of decides.
+constexpr double kClassMargin = 1e-10;
 // Bends are named as the cause of a step when bend_factor is below this.
 constexpr double kNotableBendFactor = 0.98;
 
@@ -63,11 +66,14 @@ int StepChoice::class_of(double length) {
 void StepChoice::find_rope_step(std::size_t rope, double length) {
   const std::vector<std::int32_t>& elements = model_.ropes[rope].elements;
   const double of_element = length / static_cast<double>(elements.size());
-  const int length_class = class_of(of_element);
   RopeBound& bound = ropes_[rope];
+  if (of_element > bound.above && of_element < bound.below) return;
+  const int length_class = class_of(of_element);
   if (length_class == std::exchange(bound.length_class, length_class)) return;
   const CableSection& section = model_.material_of(elements.front()).section;
   const double element_length = power(kClassRatio, length_class);
+  bound.above = (1 + kClassMargin) * element_length;
+  bound.below = (1 - kClassMargin) * kClassRatio * element_length;
   bound.shortest = element_length * static_cast<double>(elements.size());
   if (system_.evaluation() == ElementEvaluation::full) {
     bound.step = stable_step_of_lumped_full_element(section, element_length);
@@ -178,7 +184,9 @@ void StepChoice::visit_state(const std::function<void(double&)>& visit) {
   }
   for (RopeBound& rope : ropes_) {
     for (double* value : {&rope.length_at_bound, &rope.shortest, &rope.step}) visit(*value);
+    const int length_class = rope.length_class;
     visit_integer(visit, rope.length_class, std::numeric_limits<int>::min());
+    if (rope.length_class != length_class) std::tie(rope.above, rope.below) = std::pair(1.0, 0.0);
   }
   double is_monitored = is_monitored_ ? 1 : 0;
   visit(is_monitored);

@@ -69,6 +69,7 @@ class StepChoice {
     int length_class = std::numeric_limits<int>::max();  // element length, rounded down to a power of 1.01
     double shortest = 0;                                 // m, least length of the rope for which `step` holds
     double step = 0;                                     // s
+    double above = 1, below = 0;  // m, element lengths between these are surely of this class; none yet
   };
 
   double length_of(std::size_t rope) const;

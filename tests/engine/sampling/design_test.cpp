@@ -83,6 +83,13 @@ TEST(Sobol, BeginsWithThePublishedPoints) {
   }
 }
 
+TEST(Sobol, WalkGivesTheSamePoints) {
+  SobolWalk walk(kMostDimensions);
+  for (std::uint64_t i = 0; i < 3000; ++i, walk.next()) {
+    for (int axis = 0; axis < kMostDimensions; ++axis) ASSERT_EQ(walk[axis], sobol(i, axis)) << i << ", " << axis;
+  }
+}
+
 // The first two coordinates are a (0, 2)-sequence in base 2 (Niederreiter 1992, section 4.2), and every coordinate a
 // (0, 1)-sequence. Nested scrambling keeps that.
 TEST(ScrambledSobol, FillsElementaryIntervals) {
