@@ -7,6 +7,7 @@
 
 #include "engine/statistics/kriging.h"
 #include "render/figures/contour.h"
+#include "render/figures/drawn_captures.h"
 
 namespace netpocket {
 namespace {
@@ -15,6 +16,7 @@ namespace {
 struct ProbabilityMap {
   std::vector<double> x, y;
   Eigen::MatrixXd values;
+  std::string quality;
 };
 
 // Empty with too few captures or only one outcome.
@@ -35,6 +37,8 @@ ProbabilityMap probability_map(const StudyResults& results, const ResultColumn& 
   Eigen::MatrixXd design(2, static_cast<Eigen::Index>(points.size()));
   for (std::size_t i = 0; i < points.size(); ++i) design.col(static_cast<Eigen::Index>(i)) = points[i];
   const Kriging kriging(design, Eigen::Map<const Eigen::VectorXd>(values.data(), design.cols()));
+  map.quality = fmt::format("Contours: Kriging of {} captures, leave-one-out R² {:.2f}", points.size(),
+                            kriging.leave_one_out_quality());
   map.values.resize(kSteps, kSteps);
   for (std::size_t i = 0; i < kSteps; ++i) {
     const double fraction = static_cast<double>(i) / (kSteps - 1);
@@ -64,22 +68,25 @@ std::vector<Curve> captures_over(const StudyResults& results, const ResultColumn
   Curve captured = scatter(kSkyBlue, has_labels ? "captured" : ""),
         missed = scatter(kVermillion, has_labels ? "missed" : "");
   for (std::size_t i = 0; i < results.size(); ++i) {
-    if (!std::isnan(results.captured[i]))
-      add_point(results.captured[i] == 1 ? captured : missed, x.values[i], y.values[i]);
+    if (std::isnan(results.captured[i]) || !is_drawn(i, results.size())) continue;
+    add_point(results.captured[i] == 1 ? captured : missed, x.values[i], y.values[i]);
   }
   return {captured, missed};
 }
 
 Figure make_capture_map(const StudyResults& results, const ResultColumn& x, const ResultColumn& y) {
-  Figure figure{.title = "Captures and probability of capture", .panels = {}, .width_mm = 140, .height_mm = 120};
+  Figure figure{.title = title_with_drawn("Captures and probability of capture", results.size()),
+                .panels = {},
+                .width_mm = 140,
+                .height_mm = 120};
   figure.panels.push_back(panel_of(axis_title(x), axis_title(y), captures_over(results, x, y, true)));
   return figure;
 }
 
-std::vector<Curve> probability_contours(const StudyResults& results, const ResultColumn& x, const ResultColumn& y) {
+ProbabilityContours probability_contours(const StudyResults& results, const ResultColumn& x, const ResultColumn& y) {
   const ProbabilityMap map = probability_map(results, x, y);
   if (map.x.empty()) return {};
-  return {contour_curve(map, 0.1, 0.6), contour_curve(map, 0.5, 1.2), contour_curve(map, 0.9, 2.0)};
+  return {{contour_curve(map, 0.1, 0.6), contour_curve(map, 0.5, 1.2), contour_curve(map, 0.9, 2.0)}, map.quality};
 }
 
 }  // namespace netpocket

@@ -10,6 +10,7 @@
 #include "engine/statistics/empirical_distribution.h"
 #include "engine/statistics/proportion.h"
 #include "render/figures/capture_map.h"
+#include "render/figures/drawn_captures.h"
 #include "render/figures/rich_text.h"
 #include "render/figures/search_figures.h"
 #include "render/figures/sensitivity_figure.h"
@@ -35,21 +36,37 @@ Figure capture_map(const StudyResults& results) {
   const auto inputs = deciding_inputs(results, 2);
   if (inputs.size() < 2) return {.title = "Captures", .panels = {{}}};
   Figure figure = make_capture_map(results, *inputs[0], *inputs[1]);
-  for (Curve& curve : probability_contours(results, *inputs[0], *inputs[1])) {
-    figure.panels[0].curves.push_back(std::move(curve));
-  }
+  const ProbabilityContours contours = probability_contours(results, *inputs[0], *inputs[1]);
+  Panel& panel = figure.panels[0];
+  panel.curves.insert(panel.curves.end(), contours.curves.begin(), contours.curves.end());
+  panel.title = contours.quality;
   return figure;
+}
+
+constexpr std::int64_t kMostOfCurve = 2000;  // points: more than a printed figure can show
+
+bool is_unknown(double value) { return std::isnan(value); }
+
+// Whether the estimate from the first `judged` of `count` captures is a point of the curve: each of the first ones, the
+// last one, and every so many between.
+bool is_shown(std::int64_t judged, std::int64_t count) {
+  constexpr std::int64_t kAllOfTheFirst = kMostOfCurve / 2;
+  const std::int64_t stride = std::max<std::int64_t>(1, 2 * count / kMostOfCurve);
+  return count <= kMostOfCurve || judged <= kAllOfTheFirst || judged % stride == 0 || judged == count;
 }
 
 Figure convergence(const StudyResults& results) {
   Figure figure{.title = "Probability of capture", .panels = {{}}, .width_mm = 140, .height_mm = 80};
   Curve estimate = plain_line(kBlack, 0.9, "estimate"), lower = plain_line(kBlue, 0.9, "95 % interval (Wilson)"),
         upper = plain_line(kBlue);
+  const auto count = static_cast<std::int64_t>(results.size()) - std::ranges::count_if(results.captured, is_unknown);
   std::int64_t captured = 0, judged = 0;
   for (const double value : results.captured) {
     if (std::isnan(value)) continue;
     captured += value == 1 ? 1 : 0;
-    const Interval interval = wilson_interval(captured, ++judged, kConfidence);
+    ++judged;
+    if (!is_shown(judged, count)) continue;
+    const Interval interval = wilson_interval(captured, judged, kConfidence);
     for (Curve* curve : {&estimate, &lower, &upper}) curve->x.push_back(static_cast<double>(judged));
     estimate.y.push_back(static_cast<double>(captured) / static_cast<double>(judged));
     lower.y.push_back(interval.lower);
@@ -68,11 +85,16 @@ Curve steps_of(const Column& column) {
   }
   std::ranges::sort(values);
   Curve curve = plain_line(kBlue);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    for (const std::size_t count : {i, i + 1}) {
-      curve.x.push_back(values[i]);
-      curve.y.push_back(static_cast<double>(count) / static_cast<double>(values.size()));
-    }
+  const auto add = [&](std::size_t value, std::size_t count) {
+    curve.x.push_back(values[value]);
+    curve.y.push_back(static_cast<double>(count) / static_cast<double>(values.size()));
+  };
+  const std::size_t steps = std::min(values.size(), static_cast<std::size_t>(kMostOfCurve));
+  for (std::size_t i = 0; i < steps; ++i) {
+    // Of many values the step goes up by that of several.
+    const std::size_t value = i * values.size() / steps, next = (i + 1) * values.size() / steps;
+    add(value, value);
+    add(next - 1, next);
   }
   return curve;
 }
@@ -176,13 +198,14 @@ Figure parallel_coordinates(const StudyResults& results) {
   constexpr std::size_t kMostLines = 400;
   Figure figure{.title = "Captures over the inputs", .panels = {{}}, .width_mm = 240, .height_mm = 110};
   Panel& panel = figure.panels[0];
+  panel.x.title = drawn_text(results.size(), kMostLines);
   panel.y.title = "From smallest to largest";
   Curve captured = plain_line(kSkyBlue, 0.4, "captured");
   Curve missed = plain_line(kVermillion, 0.4, "missed");
   std::vector<ColumnRange> ranges;
   for (const Column& input : results.inputs) ranges.push_back(range_of(input));
-  for (std::size_t i = 0; i < std::min(results.size(), kMostLines); ++i) {
-    if (std::isnan(results.captured[i])) continue;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    if (std::isnan(results.captured[i]) || !is_drawn(i, results.size(), kMostLines)) continue;
     Curve& curve = results.captured[i] == 1 ? captured : missed;
     for (std::size_t c = 0; c < ranges.size(); ++c) {
       curve.x.push_back(static_cast<double>(c + 1));
@@ -205,7 +228,7 @@ Figure parallel_coordinates(const StudyResults& results) {
 Figure scatter_matrix(const StudyResults& results) {
   const auto inputs = deciding_inputs(results, 4);
   const auto count = static_cast<int>(inputs.size());
-  Figure figure{.title = "Captures over pairs of inputs",
+  Figure figure{.title = title_with_drawn("Captures over pairs of inputs", results.size()),
                 .panels = {},
                 .columns = std::max(1, count),
                 .width_mm = 240,

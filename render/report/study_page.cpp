@@ -9,6 +9,7 @@
 #include "engine/base/whole_file.h"
 #include "engine/statistics/proportion.h"
 #include "engine/study/study_manifest.h"
+#include "render/figures/drawn_captures.h"
 #include "render/figures/figure_file.h"
 #include "render/figures/study_figures.h"
 #include "render/output/png_file.h"
@@ -56,13 +57,13 @@ Json axes_json(const StudyResults& results) {
   return {order.front(), order[order.size() > 1 ? 1 : 0]};
 }
 
-Json study_json(const StudyResults& results, const Pictures& pictures) {
+Json study_json(const StudyResults& results, const Pictures& pictures, const Json& axes) {
   Json json = {{"inputs", Json::array()},
                {"measures", Json::array()},
                {"points", numbers_json(results.points)},
                {"captured", numbers_json(results.captured)},
                {"pictures", Json::object()},
-               {"axes", axes_json(results)}};
+               {"axes", axes}};
   for (const ResultColumn& input : results.inputs) json["inputs"].push_back(column_json(input));
   for (const std::string& name : kShownMeasures) {
     if (const ResultColumn* column = results.find(name)) json["measures"].push_back(column_json(*column));
@@ -90,9 +91,32 @@ std::string result_text(const StudyResults& results) {
       captured, judged);
 }
 
+// Captures that the page holds: those with a picture and of the others as many as a map can show.
+StudyResults shown_in_page(const StudyResults& results, Pictures& pictures) {
+  StudyResults shown;
+  const auto copy_columns = [](const std::vector<ResultColumn>& from, std::vector<ResultColumn>& to) {
+    for (const ResultColumn& column : from) to.push_back({column.name, column.unit, {}});
+  };
+  copy_columns(results.inputs, shown.inputs);
+  copy_columns(results.measures, shown.measures);
+  for (std::size_t row = 0; row < results.size(); ++row) {
+    const auto picture = std::ranges::find(pictures, row, &Pictures::value_type::first);
+    if (picture == pictures.end() && !is_drawn(row, results.size())) continue;
+    if (picture != pictures.end()) picture->first = shown.size();
+    shown.points.push_back(results.points[row]);
+    shown.captured.push_back(results.captured[row]);
+    for (std::size_t i = 0; i < shown.inputs.size(); ++i)
+      shown.inputs[i].values.push_back(results.inputs[i].values[row]);
+    for (std::size_t i = 0; i < shown.measures.size(); ++i)
+      shown.measures[i].values.push_back(results.measures[i].values[row]);
+  }
+  return shown;
+}
+
 std::string map_section(const StudyResults& results) {
   if (results.inputs.empty()) return "";
-  return "<h2>Captures</h2>\n"
+  const std::string title = title_with_drawn("Captures", results.size());
+  return fmt::format("<h2>{}</h2>\n", title) +
          "<p><label>Across <select id=\"across\"></select></label> <label>Up <select id=\"up\"></select></label> "
          "<span class=\"note\">blue: captured, red: missed, ringed: with a picture. A click keeps a capture; left and "
          "right go to the next one.</span></p>\n"
@@ -131,10 +155,13 @@ std::string study_page(const std::string& name, const StudyResults& results, con
       "content=\"width=device-width, initial-scale=1\">\n<title>{0}</title>\n<style>{1}</style>\n</head>\n<body>\n"
       "<h1>{0}</h1>\n",
       html_text(name), kStudyPageStyle);
-  page += result_text(results) + map_section(results) + pictures_section(results, pictures) + figures_section(figures);
+  Pictures shown_pictures = pictures;
+  const StudyResults shown = shown_in_page(results, shown_pictures);
+  page += result_text(results) + map_section(results) + pictures_section(shown, shown_pictures);
+  page += figures_section(figures);
   if (!results.inputs.empty()) {
     page += fmt::format("<script id=\"data\" type=\"application/json\">{}</script>\n<script>{}</script>\n",
-                        in_script(study_json(results, pictures).dump()), kStudyPageScript);
+                        in_script(study_json(shown, shown_pictures, axes_json(results)).dump()), kStudyPageScript);
   }
   return page + "</body>\n</html>\n";
 }

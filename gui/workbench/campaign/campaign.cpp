@@ -55,12 +55,21 @@ Campaign::~Campaign() {
   follower_.join();
 }
 
+// False when it is time to end.
+bool Campaign::wait_for_room(const std::stop_token& stop) {
+  while (!room_.try_acquire_for(kLookInterval)) {
+    if (stop.stop_requested()) return false;
+  }
+  return true;
+}
+
 // Reads the manifest when it is new, then the records.
 void Campaign::follow(const std::stop_token& stop) {
   const std::string folder = folder_.toStdString();
   RecordFollower records(folder);
   std::filesystem::file_time_type known_time;
   do {
+    if (!wait_for_room(stop)) return;
     std::optional<StudyManifest> manifest;
     Batch batch;
     try {
@@ -85,6 +94,7 @@ void Campaign::follow(const std::stop_token& stop) {
 }
 
 void Campaign::take(const std::optional<StudyManifest>& manifest, const Batch& batch, bool is_written) {
+  room_.release();
   const bool elsewhere = is_written && !is_running();
   const bool is_other = elsewhere != elsewhere_ || manifest.has_value();
   elsewhere_ = elsewhere;

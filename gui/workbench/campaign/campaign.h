@@ -9,6 +9,7 @@
 #include <atomic>
 #include <memory>
 #include <optional>
+#include <semaphore>
 #include <thread>
 
 #include "engine/study/live_results.h"
@@ -58,7 +59,11 @@ class Campaign : public QObject {
  private:
   using Batch = std::shared_ptr<const std::vector<FollowedRecord>>;
 
+  // Batches that were read and not taken yet. More would only fill the memory.
+  static constexpr std::ptrdiff_t kMostUnderWay = 2;
+
   void follow(const std::stop_token& stop);
+  bool wait_for_room(const std::stop_token& stop);
   void take(const std::optional<StudyManifest>& manifest, const Batch& batch, bool is_written);
 
   QString program_, study_, folder_;
@@ -71,7 +76,8 @@ class Campaign : public QObject {
   QElapsedTimer clock_;         // since the start
   std::size_t before_ = 0;      // points at the start
   double last_ = 0;             // s of the clock, when a point came last
-  std::jthread follower_;       // last: it is stopped before the rest goes
+  std::counting_semaphore<kMostUnderWay> room_{kMostUnderWay};
+  std::jthread follower_;  // last: it is stopped before the rest goes
 };
 
 }  // namespace netpocket

@@ -8,9 +8,11 @@
 #include <cmath>
 
 #include "gui/workbench/campaign/point_words.h"
+#include "gui/workbench/panels/engine_words.h"
 #include "gui/workbench/panels/figure_words.h"
 #include "gui/workbench/panels/tones.h"
 #include "render/figures/capture_map.h"
+#include "render/figures/drawn_captures.h"
 
 namespace netpocket {
 namespace {
@@ -97,7 +99,7 @@ void CaptureMapView::request_contours() {
 }
 
 void CaptureMapView::make_contours(const ContourJob& job) {
-  auto curves = probability_contours(job.results, job.results.inputs[0], job.results.inputs[1]);
+  auto curves = probability_contours(job.results, job.results.inputs[0], job.results.inputs[1]).curves;
   QMetaObject::invokeMethod(
       this,
       [this, axes = job.axes, curves = std::move(curves)] {
@@ -124,7 +126,8 @@ std::optional<std::size_t> CaptureMapView::row_at(const QPointF& point) const {
   double least = kGrasp;
   const std::size_t rows = results_ != nullptr ? results_->size() : 0;
   for (std::size_t row = 0; row < rows; ++row) {
-    const auto place = std::isnan(results_->captured[row]) ? std::nullopt : place_of(row);
+    const bool is_shown = !std::isnan(results_->captured[row]) && is_drawn(row, rows);
+    const auto place = is_shown ? place_of(row) : std::nullopt;
     const double distance = place ? std::hypot(place->x() - point.x(), place->y() - point.y()) : kGrasp;
     if (distance >= least) continue;
     least = distance;
@@ -166,7 +169,7 @@ void CaptureMapView::paintEvent(QPaintEvent*) {
   }
   if (stale_) {
     Figure figure = in_window_language(make_capture_map(*results_, *x(), *y()));
-    figure.title.clear();
+    figure.title = engine_words(std::string_view(drawn_text(results_->size()))).toStdString();
     Panel& panel = figure.panels.front();
     panel.x.limits = padded(range_of(*x()));
     panel.y.limits = padded(range_of(*y()));

@@ -90,6 +90,39 @@ TEST(StudyFigures, AreMadeOfAnyResults) {
   EXPECT_NEAR(convergence.panels[0].curves.back().y.back(), 104 / 150.0, 1e-12);
 }
 
+// Of 100,000 captures, whose table is in the order of an input as that of a grid is, a map shows a fair sample.
+TEST(StudyFigures, OfLargeCampaignsShowSomeCapturesAndSaySo) {
+  constexpr int kRows = 100'000;
+  StudyResults results;
+  results.inputs = {{"target.mass", "kg", {}}, {"contact.friction", "1", {}}};
+  results.measures = {{"closed_time", "s", {}}};
+  for (int i = 0; i < kRows; ++i) {
+    results.points.push_back(i + 1);
+    results.inputs[0].values.push_back(i);
+    results.inputs[1].values.push_back(i % 100);
+    results.measures[0].values.push_back(static_cast<double>(i) * i);
+    results.captured.push_back(i % 4 == 0 ? 0 : 1);
+  }
+  const Figure map = make_study_figure("capture_map", results);
+  EXPECT_NE(map.title.find(", about 4000 of 100000 captures drawn"), map.title.npos) << map.title;
+  const auto marks = [&](std::size_t curve) { return static_cast<double>(map.panels[0].curves[curve].x.size()) / 2; };
+  EXPECT_NEAR(marks(0) + marks(1), 4000, 4 * 63) << "four standard deviations";
+  EXPECT_NEAR(marks(0) / (marks(0) + marks(1)), 0.75, 4 * 0.0069);
+  const Figure convergence = make_study_figure("convergence", results);
+  const Curve& estimate = convergence.panels[0].curves.back();
+  EXPECT_LE(estimate.x.size(), 2001u);
+  EXPECT_EQ(estimate.x.back(), kRows);
+  EXPECT_NEAR(estimate.y.back(), 0.75, 1e-12);
+  const Figure distributions = make_study_figure("distributions", results);
+  const Curve& shares = distributions.panels[0].curves[0];
+  EXPECT_LE(shares.x.size(), 4000u);
+  EXPECT_EQ(shares.x.front(), 0);
+  EXPECT_EQ(shares.y.back(), 1);
+  for (std::size_t i = 0; i < shares.x.size(); ++i) {
+    EXPECT_NEAR(shares.y[i], std::sqrt(shares.x[i]) / kRows, 2.0 / 2000) << "a step of the curve";
+  }
+}
+
 TEST(StudyFigures, SearchesHaveFiguresOfTheirOwn) {
   const auto has = [](const std::vector<std::string>& names, const char* name) {
     return std::ranges::find(names, name) != names.end();
