@@ -161,6 +161,8 @@ Capture RunHistory::capture_by_channel() const {
 
 Capture RunHistory::capture() const {
   if (const std::string diverged = divergence(); !diverged.empty()) return {Verdict::diverged, diverged};
+  // Where a capture takes so long, its steps are small for a reason: what came before is no judgement.
+  if (data_->status().reason == RunReason::limited) return {Verdict::unknown, data_->status().message};
   if (!data_->has_channel(Channel::target_inside)) return capture_by_channel();
   if (std::isnan(closing_end())) return {Verdict::unknown, "the recording does not say when the closing ends"};
   const auto& inside = channel(Channel::target_inside);

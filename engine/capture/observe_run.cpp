@@ -11,8 +11,8 @@ RunStatus show_frames(Simulation& simulation, const FrameObserver& observer, con
   observer(simulation.snapshot());
   for (std::int64_t i = frames.after(simulation.time()); i <= frames.count(); ++i) {
     RunStatus status = simulation.advance(frames.at(i), stop);
-    const bool has_moved = simulation.time() > shown;
-    if (status.reason == RunReason::finished || (status.reason == RunReason::diverged && has_moved)) {
+    const bool has_ended = status.reason == RunReason::diverged || status.reason == RunReason::limited;
+    if (status.reason == RunReason::finished || (has_ended && simulation.time() > shown)) {
       observer(simulation.snapshot());
       shown = simulation.time();
     }

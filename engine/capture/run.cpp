@@ -35,7 +35,8 @@ class RecordedRun {
     next_checkpoint_ = simulation_.time() + kCheckpointInterval;
     for (std::int64_t i = frames.after(simulation_.time()); i <= frames.count(); ++i) {
       RunStatus status = simulation_.advance(frames.at(i), stop);
-      if (status.reason == RunReason::diverged && simulation_.time() > recorded_time_) record_state();
+      const bool has_ended = status.reason == RunReason::diverged || status.reason == RunReason::limited;
+      if (has_ended && simulation_.time() > recorded_time_) record_state();
       if (status.reason != RunReason::finished) return status;
       record_state();
       if (frames.is_whole(i) && simulation_.time() > next_checkpoint_ - kRounding) record_checkpoint();
@@ -133,6 +134,7 @@ std::string why_not_resumable(const Recording& recording, const RunOptions& opti
                        origin.netpocket_version, origin.commit, options.version, options.commit);
   }
   if (recording.status().reason == RunReason::diverged) return "the run diverged and would do so again";
+  if (recording.status().reason == RunReason::limited) return "the run has made as many steps as it may";
   if (recording.checkpoint_times().empty()) return "it holds no state to resume from";
   return "";
 }

@@ -243,6 +243,10 @@ struct Simulation::Impl {
         status = {RunReason::stopped, 0, "stopped on request"};
         break;
       }
+      if (has_no_step_left()) {
+        status = limited();
+        break;
+      }
       step();
       if (system.steps() % kFaultInterval != 0) continue;
       failure = check();
@@ -254,6 +258,16 @@ struct Simulation::Impl {
     wall += wall_seconds() - wall_before;
     cpu += cpu_seconds(system) - cpu_before;
     return status;
+  }
+
+  bool has_no_step_left() const {
+    return scenario.solver.most_steps > 0 && system.steps() >= scenario.solver.most_steps;
+  }
+
+  RunStatus limited() const {
+    return {RunReason::limited, system.time(),
+            fmt::format("reached the limit of {} steps (solver.most_steps) at t = {:.4f} s", scenario.solver.most_steps,
+                        system.time())};
   }
 
   void keep_sound_state() {

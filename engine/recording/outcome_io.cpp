@@ -20,7 +20,7 @@ struct Field {
 constexpr std::array<Field, 4> kTexts = {{{"message", "", "one sentence"},
                                           {"step_limit", "", "what limits the integration step"},
                                           {"evaluation", "", "mean_strain or full"},
-                                          {"reason", "", "finished, stopped, diverged or storage_failed"}}};
+                                          {"reason", "", "finished, stopped, diverged, limited or storage_failed"}}};
 constexpr std::array<Field, 8> kNumbers = {{{"time", "s", "simulated time reached"},
                                             {"simulated_seconds", "s", "simulated time"},
                                             {"wall_seconds", "s", "wall time of the integration"},
@@ -46,8 +46,8 @@ std::array<double, kNumbers.size()> numbers_of(const RunStatus& status, const Ru
 }
 
 RunReason reason_named(const std::string& name) {
-  for (const auto reason :
-       {RunReason::finished, RunReason::stopped, RunReason::diverged, RunReason::storage_failed, RunReason::running}) {
+  for (const auto reason : {RunReason::finished, RunReason::stopped, RunReason::diverged, RunReason::storage_failed,
+                            RunReason::limited, RunReason::running}) {
     if (name == to_string(reason)) return reason;
   }
   throw Hdf5Error("the run ended for an unknown reason");

@@ -211,6 +211,7 @@ constexpr std::array kParameters = {
     parameter<kSolver, &Solver::gravity>("solver.gravity", within(-100, 100), "m/s^2", "gravity", "assumption: none in orbit"),
     parameter<kSolver, &Solver::perturbation>("solver.perturbation", within(0, 0.01), "m", "largest random displacement of a free node at the start", kAssumption),
     parameter<kSolver, &Solver::seed>("solver.seed", within(0, 2147483647), "", "seed of the random displacements", kAssumption),
+    parameter<kSolver, &Solver::most_steps>("solver.most_steps", within(0, 2147483647), "", "number of steps after which a run ends, wherever it is; 0: no limit. For campaigns, where a capture now and then takes a thousand times as long as the others", "user's choice"),
 
     parameter<kOutput, &Output::end_time>("output.end_time", within(1e-3, 1e5), "s", "simulated time at which the run ends", kAssumption),
     parameter<kOutput, &Output::frame_rate>("output.frame_rate", within(1e-2, 1e5), "1/s", "recorded frames per simulated second", kAssumption),

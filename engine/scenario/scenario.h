@@ -141,6 +141,7 @@ struct SolverParameters {
   Eigen::Vector3d gravity = {0, 0, 0};  // m/s^2
   double perturbation = 0;              // m, largest random displacement of free nodes at the start, by component
   int seed = 1;                         // of the perturbation's random numbers
+  int most_steps = 0;                   // after which a run ends; 0: no limit
 };
 
 struct OutputParameters {

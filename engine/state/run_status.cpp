@@ -14,6 +14,8 @@ const char* to_string(RunReason reason) {
       return "diverged";
     case RunReason::storage_failed:
       return "storage_failed";
+    case RunReason::limited:
+      return "limited";
   }
   return "unknown";
 }

@@ -6,7 +6,8 @@
 
 namespace netpocket {
 
-enum class RunReason { running, finished, stopped, diverged, storage_failed };
+// `limited`: the run has made as many steps as it may.
+enum class RunReason { running, finished, stopped, diverged, storage_failed, limited };
 
 struct RunStatus {
   RunReason reason = RunReason::running;

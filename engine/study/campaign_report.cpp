@@ -82,12 +82,14 @@ std::string worst_section(const StudyResults& results) {
 
 std::string campaign_report(const Study& study, const StudyOutcome& outcome, const StudyResults& results) {
   std::string text = fmt::format(
-      "# {}\n\n{}.\n\n{} points, {} done, {} refused as not valid, {} with a run that diverged.\n\n", study.name,
-      study.description, outcome.points, outcome.points_done, outcome.refused, outcome.diverged);
-  text += inputs_section(results) + probability_section(study, outcome) + quantiles_section(outcome);
+      "# {}\n\n{}.\n\n{} points, {} done, {} refused as not valid, {} with a run that diverged{}.\n\n", study.name,
+      study.description, outcome.points, outcome.points_done, outcome.refused, outcome.diverged,
+      outcome.limited > 0 ? fmt::format(", {} with one that reached its limit of steps", outcome.limited) : "");
+  text += inputs_section(results);
   if (!outcome.sensitivities.empty()) {
-    text += "## Sensitivity\n\n```\n" + sensitivity_text(study, outcome.sensitivities) + "```\n\n";
+    return text + "## Sensitivity\n\n```\n" + sensitivity_text(study, outcome.sensitivities) + "```\n\n";
   }
+  text += probability_section(study, outcome) + quantiles_section(outcome);
   return text + worst_section(results);
 }
 

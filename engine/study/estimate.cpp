@@ -41,7 +41,8 @@ std::string group_name(const Study& study, const StudyPlan& plan, const GroupEst
 
 std::string tally_text(const GroupEstimate& e) {
   std::string text = fmt::format("{} of {} captures", e.tally.captured, e.tally.judged);
-  if (e.tally.not_judged > 0) text += fmt::format(", {} more not judged (diverged or too short)", e.tally.not_judged);
+  if (e.tally.not_judged > 0)
+    text += fmt::format(", {} more not judged (diverged, at their limit of steps or too short)", e.tally.not_judged);
   if (e.refused > 0) text += fmt::format(", {} points refused", e.refused);
   return text;
 }

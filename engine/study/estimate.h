@@ -17,7 +17,7 @@ namespace netpocket {
 struct CaptureTally {
   std::int64_t captured = 0;
   std::int64_t judged = 0;      // captured or not
-  std::int64_t not_judged = 0;  // diverged, or too short to say
+  std::int64_t not_judged = 0;  // diverged, at their limit of steps, or too short to say
 
   void add(const StudyRecord& run);
 };

@@ -51,6 +51,7 @@ void LiveResults::add(const FollowedRecord& followed) {
   const auto [known, is_new] = rows_.try_emplace(followed.place.point, Rows{results_.size(), runs});
   if (is_new) {
     diverged_ += followed.place.outcome == "diverged" ? 1 : 0;
+    limited_ += followed.place.outcome == "limited" ? 1 : 0;
     refused_ += followed.place.outcome == "refused" ? 1 : 0;
     if (first_refusal_.empty()) first_refusal_ = record["refused"].get<std::string>();
     append_rows(runs);

@@ -33,6 +33,7 @@ class LiveResults {
   std::size_t finished() const { return rows_.size(); }  // points; includes the following two
   std::size_t refused() const { return refused_; }       // points whose scenario is not valid
   std::size_t diverged() const { return diverged_; }     // points with a run that diverged
+  std::size_t limited() const { return limited_; }       // points with a run that reached its limit of steps
   const std::string& first_refusal() const { return first_refusal_; }
   std::int64_t captured() const { return captured_; }  // runs
   std::int64_t judged() const { return judged_; }      // runs: captured or not
@@ -55,7 +56,7 @@ class LiveResults {
   std::map<std::string, double> shared_;  // numbers that all points so far have set, by key
   std::vector<Source> sources_;
   std::map<std::size_t, Rows> rows_;  // by point
-  std::size_t refused_ = 0, diverged_ = 0;
+  std::size_t refused_ = 0, diverged_ = 0, limited_ = 0;
   std::string first_refusal_;
   std::int64_t captured_ = 0, judged_ = 0;
 };

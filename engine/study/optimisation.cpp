@@ -39,7 +39,7 @@ void add_points(std::vector<StudyPoint>& points, const Study& study, const std::
   }
 }
 
-bool has_diverged(const StudyRecord& record) { return record["outcome"] == "diverged"; }
+bool has_failed(const StudyRecord& record) { return record["outcome"] == "diverged" || record["outcome"] == "limited"; }
 
 // Finite numbers of a column, by draw.
 std::vector<double> numbers_of(std::span<const StudyRecord> records, const std::string& column) {
@@ -99,7 +99,7 @@ double violation_of(const StudyConstraint& constraint, double value) {
 void judge(const Study& study, std::span<const StudyRecord> records, Candidate& candidate) {
   const StudyOptimisation& search = study.optimisation;
   candidate.objective = value_over(records, search.objective);
-  const bool is_judged = std::isfinite(candidate.objective) && std::ranges::none_of(records, has_diverged);
+  const bool is_judged = std::isfinite(candidate.objective) && std::ranges::none_of(records, has_failed);
   candidate.violation = is_judged ? 0 : kInfinite;
   for (const StudyConstraint& constraint : search.constraints) {
     candidate.constraints.push_back(value_over(records, constraint.value));

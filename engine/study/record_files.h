@@ -17,7 +17,7 @@ namespace netpocket {
 // Where a record is, and what its line begins with.
 struct RecordPlace {
   std::size_t point = 0;  // 1, 2, ...
-  std::string outcome;    // "done", "diverged" or "refused"
+  std::string outcome;    // "done", "diverged", "limited" or "refused"
   std::string identity;
   std::string file;
   std::uint64_t offset = 0;  // bytes

@@ -34,6 +34,7 @@ void count_outcomes(const std::vector<RecordPlace>& places, StudyOutcome& outcom
   RecordReader reader;
   for (const RecordPlace& place : places) {
     outcome.diverged += place.outcome == "diverged" ? 1 : 0;
+    outcome.limited += place.outcome == "limited" ? 1 : 0;
     if (place.outcome != "refused") continue;
     if (++outcome.refused == 1) outcome.first_refusal = reader.read(place)["refused"].get<std::string>();
   }

@@ -185,7 +185,7 @@ class StudyRunner {
     StudyRecord run = measured_run(scenario, study_.variants[task.variant].name, used_, work.files[task.variant],
                                    run_options, count_until, stop_.get_token());
     if (run.is_null() || run.empty()) return;
-    count_until(scenario.output.end_time);  // counts the time that a diverged run has left over
+    count_until(scenario.output.end_time);  // counts the time that a run which ended early has left over
     const std::scoped_lock lock(mutex_);
     ++runs_made_;
     work.runs[task.variant] = std::move(run);
@@ -311,8 +311,10 @@ class Collector {
       StudyRecord record = reader.read(place);
       outcome.refused += place.outcome == "refused" ? 1 : 0;
       outcome.diverged += place.outcome == "diverged" ? 1 : 0;
+      outcome.limited += place.outcome == "limited" ? 1 : 0;
       if (outcome.first_refusal.empty()) outcome.first_refusal = record["refused"].get<std::string>();
-      if (!study_.uncertain.empty()) estimator.add(record);
+      // Points of a sensitivity study are no sample.
+      if (!study_.uncertain.empty() && !is_sensitivity) estimator.add(record);
       if (is_sensitivity) sensitivity.add(record);
       if (study_.has_findings || study_.report.of == ReportOf::statements) outcome.records.push_back(std::move(record));
     }

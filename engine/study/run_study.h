@@ -44,10 +44,11 @@ struct StudyOutcome {
   std::size_t points_done = 0;           // of these, by all parts
   std::size_t refused = 0;               // of these; of this part's only, while points of others are missing
   std::size_t diverged = 0;              // likewise, points with a run that diverged
+  std::size_t limited = 0;               // likewise, with one that reached its limit of steps
   std::string first_refusal;             // why the first refused point was refused
   bool stopped = false;                  // points of this part are missing
   bool has_tables = false;               // the tables were written
-  std::vector<GroupEstimate> estimates;  // of studies with uncertain inputs
+  std::vector<GroupEstimate> estimates;  // of studies with uncertain inputs, whose points are a sample
   std::vector<SensitivityEstimate> sensitivities;  // of studies with [sensitivity]
   std::optional<Optimisation> optimisation;        // of studies with [optimise] that came to their end
   std::optional<RareFailure> rare_failure;         // likewise with [rare]

@@ -70,7 +70,7 @@ std::string counts_line(const Points& points, std::size_t all) {
   }
   std::string text = fmt::format("{} points", all);
   if (all > points.size()) text += fmt::format(", {} of them refused as not valid", all - points.size());
-  if (diverged > 0) text += fmt::format(", {} with runs that diverged", diverged);
+  if (diverged > 0) text += fmt::format(", {} with runs that diverged or reached their limit of steps", diverged);
   return fmt::format("{}. In all cases hold {}.\n\n", text, fmt::join(counts, ", "));
 }
 

@@ -201,14 +201,16 @@ class StatementsWriter {
 
 // What is missing from the numbers; empty: nothing.
 std::string losses(const std::vector<StudyRecord>& records) {
-  std::size_t refused = 0, diverged = 0;
+  std::size_t refused = 0, diverged = 0, limited = 0;
   for (const StudyRecord& record : records) {
     refused += record["outcome"] == "refused" ? 1 : 0;
     diverged += record["outcome"] == "diverged" ? 1 : 0;
+    limited += record["outcome"] == "limited" ? 1 : 0;
   }
   std::string text;
   if (refused > 0) text += fmt::format(" {} points were refused as not valid.", refused);
   if (diverged > 0) text += fmt::format(" {} points have runs that diverged.", diverged);
+  if (limited > 0) text += fmt::format(" {} points have runs that reached their limit of steps.", limited);
   return text;
 }
 

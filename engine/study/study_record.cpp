@@ -57,10 +57,11 @@ void erase_from(std::string& text, const std::string& first, const std::string& 
   text.erase(begin, end - begin);
 }
 
-// The complete scenario, but without [scatter] and the radius of edges where these do nothing: studies from before they
-// came are the same as after.
+// The complete scenario, but without [scatter], the radius of edges and the limit of steps where these do nothing:
+// studies from before they came are the same as after.
 std::string identified_text(const Scenario& scenario) {
   std::string text = write_scenario_text(scenario);
+  if (scenario.solver.most_steps == 0) erase_from(text, "\nmost_steps = ", "\n");
   if (scenario.contact.edge_radius == 0) erase_from(text, "\nedge_radius = ", "\n");
   if (!has_scatter(scenario)) erase_from(text, fmt::format("\n[{}]\n", scatter_group().name), "\n[");
   return text;
@@ -74,7 +75,16 @@ StudyRecord head(std::size_t index, const char* outcome, const StudyPoint& point
           {"place", point.place}, {"draw", point.draw}, {"settings", settings}};
 }
 
-bool is_finished(const StudyRecord& run) { return run["reason"] == to_string(RunReason::finished); }
+// A limited run beside one that diverged is the lesser evil.
+const char* outcome_of(const std::vector<StudyRecord>& runs) {
+  const auto ended = [&](RunReason reason) {
+    return [reason](const StudyRecord& run) { return run["reason"] == to_string(reason); };
+  };
+  if (std::ranges::all_of(runs, ended(RunReason::finished))) return "done";
+  const auto limited = std::ranges::count_if(runs, ended(RunReason::limited));
+  const auto finished = std::ranges::count_if(runs, ended(RunReason::finished));
+  return limited + finished == static_cast<std::ptrdiff_t>(runs.size()) ? "limited" : "diverged";
+}
 
 }  // namespace
 
@@ -98,8 +108,7 @@ StudyRecord refused_record(std::size_t index, const StudyPoint& point, const std
 
 StudyRecord run_record(std::size_t index, const StudyPoint& point, const std::string& identity,
                        std::vector<StudyRecord> runs, const std::vector<Recording>& recordings) {
-  const bool is_done = std::ranges::all_of(runs, is_finished);
-  StudyRecord record = head(index, is_done ? "done" : "diverged", point, identity);
+  StudyRecord record = head(index, outcome_of(runs), point, identity);
   record["refused"] = "";
   record["runs"] = Json::array();
   Json timings = Json::array();

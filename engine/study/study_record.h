@@ -10,7 +10,8 @@
 
 namespace netpocket {
 
-// One point: {"point" (1, 2, ...), "outcome" ("done", "diverged": a run of it, "refused"), "identity", "place", "draw"
+// One point: {"point" (1, 2, ...), "outcome" ("done", "diverged": a run of it, "limited": likewise, by its
+// number of steps, "refused"), "identity", "place", "draw"
 // (of the ensemble; else 0), "settings" {key: TOML text}, "refused" (why it was not run; empty when it was), "runs" [as
 // measured_run()], "findings" as in findings_json, "timings" [{"variant", "wall_seconds", "cpu_seconds"}]}. All but the
 // timings depends only on the study and the program.

@@ -47,6 +47,7 @@ StudyStatus study_status(const std::string& folder) {
     ++status.finished;
     status.refused += place.outcome == "refused" ? 1 : 0;
     status.diverged += place.outcome == "diverged" ? 1 : 0;
+    status.limited += place.outcome == "limited" ? 1 : 0;
     if (place.outcome != "done" && failed.size() < kMostFailuresListed) failed.push_back(place);
   });
   RecordReader reader;
@@ -61,11 +62,12 @@ std::string status_text(const StudyStatus& status) {
   std::string text = fmt::format("{}: {} of {} points done", status.study, status.finished, status.points);
   if (status.refused > 0) text += fmt::format(", {} of them refused as not valid", status.refused);
   if (status.diverged > 0) text += fmt::format(", {} with a run that diverged", status.diverged);
+  if (status.limited > 0) text += fmt::format(", {} with a run that reached its limit of steps", status.limited);
   text += "\n";
   for (const std::string& file : status.writing) text += fmt::format("running: {}\n", file);
   for (const StudyFailure& failure : status.failures)
     text += fmt::format("point {}: {}\n", failure.point, failure.reason);
-  const std::size_t failed = status.refused + status.diverged;
+  const std::size_t failed = status.refused + status.diverged + status.limited;
   if (failed > status.failures.size()) text += fmt::format("and {} more\n", failed - status.failures.size());
   return text;
 }

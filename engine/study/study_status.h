@@ -15,11 +15,12 @@ struct StudyFailure {
 struct StudyStatus {
   std::string study;
   std::size_t points = 0;
-  std::size_t finished = 0;            // of these; includes the following two
+  std::size_t finished = 0;            // of these; includes the following three
   std::size_t refused = 0;             // points whose scenario is not valid
   std::size_t diverged = 0;            // points with a run that diverged
+  std::size_t limited = 0;             // points with a run that reached its limit of steps
   std::vector<bool> is_finished;       // by point
-  std::vector<StudyFailure> failures;  // the first ones of both kinds, kMostFailuresListed at most
+  std::vector<StudyFailure> failures;  // the first ones of all kinds, kMostFailuresListed at most
   std::vector<std::string> writing;    // files of records that programs on this machine are writing
 };
 

@@ -48,7 +48,7 @@ struct SummaryColumn {
 };
 
 constexpr SummaryColumn kSummary[] = {
-    {"ended", "/reason", "", "finished or diverged"},
+    {"ended", "/reason", "", "finished, diverged or limited (solver.most_steps)"},
     {"captured", "/capture", "", "yes, no, or why it is not known"},
     {"first_contact_s", "/first_contact_time", "s", "first frame in which a cord touches the target"},
     {"peak_fx_N", "/peak_force/x", "N", "largest force on the target along x, with its sign"},

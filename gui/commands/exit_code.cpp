@@ -19,7 +19,7 @@ constexpr std::array kMeanings = {
     Meaning{ExitCode::unexpected, "a defect of netpocket"},
     Meaning{ExitCode::usage, "wrong usage: unknown command, option or name; missing or malformed value"},
     Meaning{ExitCode::bad_input, "bad input: a scenario, setting or recording is missing or not valid"},
-    Meaning{ExitCode::diverged, "the simulation diverged; what it reached is recorded"},
+    Meaning{ExitCode::diverged, "the simulation diverged, or reached solver.most_steps; what it reached is recorded"},
     Meaning{ExitCode::io, "a file or folder cannot be read or written"},
     Meaning{ExitCode::rendering, "a picture or video cannot be made"},
     Meaning{ExitCode::interrupted, "interrupted; what was done is kept"},

@@ -11,7 +11,7 @@ enum class ExitCode {
   unexpected = 1,     // a defect of the program
   usage = 2,          // unknown command, option or name; a missing or malformed value
   bad_input = 3,      // a scenario, setting or recording that is missing or not valid
-  diverged = 4,       // the simulation became unstable; what it reached is recorded
+  diverged = 4,       // the simulation became unstable or took more steps than it may; what it reached is recorded
   io = 5,             // a file or folder cannot be read or written
   rendering = 6,      // a picture or video cannot be made
   interrupted = 130,  // ended by Ctrl-C, SIGTERM or SIGHUP; what was recorded is kept

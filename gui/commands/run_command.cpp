@@ -55,6 +55,7 @@ ExitCode ending_code(RunReason reason) {
     case RunReason::stopped:
       return ExitCode::interrupted;
     case RunReason::diverged:
+    case RunReason::limited:
       return ExitCode::diverged;
     default:
       return ExitCode::io;
@@ -70,6 +71,7 @@ ExitCode report_ending(const RunStatus& status, const std::string& path) {
       say(fmt::format("interrupted at t = {:.4g} s; \"{}\" holds what was recorded", status.time, path));
       break;
     case RunReason::diverged:
+    case RunReason::limited:
       say(fmt::format("{}; \"{}\" holds what was recorded", status.message, path));
       break;
     default:

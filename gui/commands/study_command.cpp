@@ -104,6 +104,7 @@ std::string outcome_text(const StudyOutcome& outcome, const std::string& folder)
   std::string text = fmt::format("{} of {} points done", outcome.points_done, outcome.points);
   if (outcome.refused > 0) text += fmt::format(", {} of them refused as not valid", outcome.refused);
   if (outcome.diverged > 0) text += fmt::format(", {} with a run that diverged", outcome.diverged);
+  if (outcome.limited > 0) text += fmt::format(", {} with a run that reached its limit of steps", outcome.limited);
   if (outcome.has_tables) text += fmt::format("; \"{0}/study.csv\" and \"{0}/study.json\" hold them", folder);
   return text + "\n";
 }

@@ -27,6 +27,7 @@ QString state_text(const Run& run) {
     case RunState::ended:
       break;
   }
+  if (run.status.reason == RunReason::limited) return RunStatusBar::tr("At its limit of steps");
   return run.status.reason == RunReason::diverged ? RunStatusBar::tr("Diverged") : RunStatusBar::tr("Finished");
 }
 

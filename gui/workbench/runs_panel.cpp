@@ -21,6 +21,7 @@ RunId id_of(const QTreeWidgetItem& item) { return item.data(kName, kIdRole).toIn
 
 QString state_name(const Run& run) {
   if (run.status.reason == RunReason::diverged) return RunsPanel::tr("diverged");
+  if (run.status.reason == RunReason::limited) return RunsPanel::tr("at its limit of steps");
   switch (run.state) {
     case RunState::preparing:
       return RunsPanel::tr("preparing");

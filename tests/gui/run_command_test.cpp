@@ -121,6 +121,22 @@ TEST(Run, DivergenceKeepsTheRecordingAndSaysWhy) {
   EXPECT_GE(recording.frame_count(), 1u);
 }
 
+TEST(Run, EndsAtItsLimitOfSteps) {
+  const TestFolder folder;
+  const std::string path = folder.file("run.h5");
+  const auto result =
+      run_program({"run", scenario_file("case1.toml"), "-o", path, "--until", "1", "--set", "solver.most_steps=700"});
+  EXPECT_EQ(result.exit_code, 4);
+  EXPECT_TRUE(contains(result.error, "reached the limit of 700 steps (solver.most_steps) at t = ")) << result.error;
+  const Recording recording(path);
+  EXPECT_EQ(recording.status().reason, RunReason::limited);
+  EXPECT_EQ(recording.statistics().steps, 700);
+  EXPECT_EQ(recording.times().back(), recording.status().time) << "the frame at which it ended";
+  const auto resumed = run_program({"run", "--resume", path});
+  EXPECT_NE(resumed.exit_code, 0);
+  EXPECT_TRUE(contains(resumed.error, "has made as many steps as it may")) << resumed.error;
+}
+
 class Interrupted : public testing::TestWithParam<int> {};
 
 TEST_P(Interrupted, RunKeepsWhatItRecorded) {

@@ -59,6 +59,7 @@ QString problems_words(const LiveResults& results) {
   QString text;
   if (results.refused() > 0) text += CampaignView::tr("; %1 refused as not valid").arg(results.refused());
   if (results.diverged() > 0) text += CampaignView::tr("; %1 diverged").arg(results.diverged());
+  if (results.limited() > 0) text += CampaignView::tr("; %1 at their limit of steps").arg(results.limited());
   return text;
 }
 

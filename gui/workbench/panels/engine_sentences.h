@@ -60,6 +60,8 @@ inline constexpr auto kEngineSentences = std::to_array<const char*>({
     QT_TRANSLATE_NOOP("engine", "reached the time asked for"),
     QT_TRANSLATE_NOOP("engine", "reached the requested time"),
     QT_TRANSLATE_NOOP("engine", "stopped on request"),
+    QT_TRANSLATE_NOOP("engine", "about %1 of %2 captures drawn"),
+    QT_TRANSLATE_NOOP("engine", "reached the limit of %1 steps (solver.most_steps) at t = %2 s"),
     QT_TRANSLATE_NOOP("engine", "reached the end time"),
     QT_TRANSLATE_NOOP("engine", "reached the end time; %1"),
     QT_TRANSLATE_NOOP("engine", "%1 in step %2 of %3, at t = %4 s; %5"),

@@ -50,7 +50,7 @@ std::size_t Run::frame_at(double time) const {
 
 bool Run::can_go_on() const {
   constexpr double kRounding = 1e-6;  // s
-  if (status.reason == RunReason::diverged) return false;
+  if (status.reason == RunReason::diverged || status.reason == RunReason::limited) return false;
   if (state == RunState::paused || state == RunState::running) return true;
   return end_time() < scenario.output.end_time - kRounding;
 }

@@ -11,6 +11,11 @@ namespace {
 // s: steps end at frames but for rounding.
 constexpr double kRounding = 5e-7;
 
+// Whether a run cannot go on from where it stands.
+bool has_ended(const RunStatus& status) {
+  return status.reason == RunReason::diverged || status.reason == RunReason::limited;
+}
+
 }  // namespace
 
 void WorkerLoop::run() {
@@ -125,7 +130,7 @@ void WorkerLoop::on(const SingleStep&) {
     status = simulation_->advance(before + ahead, stop_);
   }
   report_frame();
-  report_state(status.reason == RunReason::diverged ? WorkerState::ended : WorkerState::paused, status);
+  report_state(has_ended(status) ? WorkerState::ended : WorkerState::paused, status);
 }
 
 void WorkerLoop::on(const SetPace& command) { pace_.set_rate(command.rate); }
@@ -179,7 +184,7 @@ void WorkerLoop::advance() {
     const RunStatus status = simulation_->advance(std::min(next_frame_time(), end), worker_.interruption());
     if (status.reason == RunReason::stopped) return;
     report_frame();
-    if (status.reason == RunReason::diverged) {
+    if (has_ended(status)) {
       running_ = false;
       report_state(WorkerState::ended, status);
       return;

@@ -254,6 +254,8 @@ inline constexpr const char* kGeneratedTexts[] = {
     QT_TRANSLATE_NOOP("parameters", "largest random displacement of a free node at the start"),
     QT_TRANSLATE_NOOP("parameters", "Seed"),
     QT_TRANSLATE_NOOP("parameters", "seed of the random displacements"),
+    QT_TRANSLATE_NOOP("parameters", "Most steps"),
+    QT_TRANSLATE_NOOP("parameters", "number of steps after which a run ends, wherever it is; 0: no limit. For campaigns, where a capture now and then takes a thousand times as long as the others"),
     QT_TRANSLATE_NOOP("parameters", "Output"),
     QT_TRANSLATE_NOOP("parameters", "Length of the run and what is recorded."),
     QT_TRANSLATE_NOOP("parameters", "End time"),

@@ -1909,6 +1909,14 @@
         <source>From smallest to largest</source>
         <translation>从最小到最大</translation>
     </message>
+    <message>
+        <source>reached the limit of %1 steps (solver.most_steps) at t = %2 s</source>
+        <translation>在 t = %2 s 时达到 %1 步的上限（solver.most_steps）</translation>
+    </message>
+    <message>
+        <source>about %1 of %2 captures drawn</source>
+        <translation>绘出 %2 次捕获中的约 %1 次</translation>
+    </message>
 </context>
 <context>
     <name>netpocket::AboutDialog</name>
@@ -2164,6 +2172,10 @@
     <message>
         <source>Run the points that are missing</source>
         <translation>运行缺少的样本点</translation>
+    </message>
+    <message>
+        <source>; %1 at their limit of steps</source>
+        <translation>；%1 个达到步数上限</translation>
     </message>
 </context>
 <context>
@@ -4221,6 +4233,10 @@
         <source>No run</source>
         <translation>无仿真</translation>
     </message>
+    <message>
+        <source>At its limit of steps</source>
+        <translation>达到步数上限</translation>
+    </message>
 </context>
 <context>
     <name>netpocket::RunsPanel</name>
@@ -4283,6 +4299,10 @@
     <message>
         <source>Rename</source>
         <translation>重命名</translation>
+    </message>
+    <message>
+        <source>at its limit of steps</source>
+        <translation>达到步数上限</translation>
     </message>
 </context>
 <context>
@@ -7169,6 +7189,14 @@
     <message>
         <source>[panel, factor]: panels whose net has another Young&apos;s modulus, times this; 0.001: all but torn</source>
         <translation>[网面, 系数]：绳网杨氏模量不同的网面，乘以此系数；0.001：几乎破裂</translation>
+    </message>
+    <message>
+        <source>Most steps</source>
+        <translation>最大步数</translation>
+    </message>
+    <message>
+        <source>number of steps after which a run ends, wherever it is; 0: no limit. For campaigns, where a capture now and then takes a thousand times as long as the others</source>
+        <translation>仿真在达到该步数后结束，无论进行到何处；0：无上限。用于批量仿真，其中偶尔有一次捕获所需时间是其他捕获的上千倍</translation>
     </message>
 </context>
 <context>

@@ -115,8 +115,8 @@ TEST(ParameterTable, DeclaresEveryMember) {
     EXPECT_EQ(count("actuators"), 6u);
   }
   {
-    [[maybe_unused]] const auto& [a, b, c, e, f, g, h] = solver;
-    EXPECT_EQ(count("solver"), 7u);
+    [[maybe_unused]] const auto& [a, b, c, e, f, g, h, i] = solver;
+    EXPECT_EQ(count("solver"), 8u);
   }
   {
     [[maybe_unused]] const auto& [a, b] = output;

@@ -6,7 +6,9 @@
 
 #include <chrono>
 
+#include "engine/study/record_files.h"
 #include "engine/study/study_folder.h"
+#include "engine/study/study_status.h"
 #include "engine/study/study_table.h"
 #include "tests/engine/bodies/mesh_samples.h"
 #include "tests/engine/study/study_folder.h"
@@ -191,6 +193,43 @@ TEST(RunStudy, RemovesOnlyRecordingsThatItMadeItself) {
 }
 
 // Each run's processor time is its own, however many run beside it.
+// A limit of steps is the same everywhere, unlike one of time.
+TEST(RunStudy, ARunEndsAtItsLimitOfSteps) {
+  const StudyFolder folder;
+  const std::string settings =
+      "pocket.elements_per_side = 1\npocket.mesh_rows = 2\npocket.mesh_columns = 2\noutput.end_time = 0.1\n";
+  const Study study = folder
+                          .read("samples = 6\n[set]\n" + settings +
+                                "[uncertain]\nsolver.most_steps = { distribution = \"discrete\", values = "
+                                "[40, 1000000] }\n")
+                          .study;
+  const StudyOutcome outcome = run_study(study, folder.file("out"), {.jobs = 1});
+  EXPECT_GT(outcome.limited, 0u);
+  EXPECT_LT(outcome.limited, 6u);
+  EXPECT_EQ(outcome.diverged, 0u);
+  std::size_t limited = 0;
+  RecordReader reader;
+  scan_records(folder.file("out"), [&](const RecordPlace& place) {
+    const StudyRecord run = reader.read(place)["runs"][0];
+    const bool is_limited = place.outcome == "limited";
+    limited += is_limited ? 1 : 0;
+    EXPECT_EQ(run["reason"], is_limited ? "limited" : "finished");
+    EXPECT_EQ(run["steps"] == 40, is_limited);
+    EXPECT_TRUE(run["captured"].is_null());
+  });
+  EXPECT_EQ(limited, outcome.limited);
+  ASSERT_EQ(outcome.estimates.size(), 1u);
+  EXPECT_EQ(outcome.estimates[0].tally.judged, 0);
+  const StudyStatus status = study_status(folder.file("out"));
+  EXPECT_EQ(status.limited, limited);
+  ASSERT_EQ(status.failures.size(), limited);
+  EXPECT_NE(status.failures[0].reason.find("limit of 40 steps (solver.most_steps)"), std::string::npos);
+  run_study(study, folder.file("parts"), {.jobs = 2, .resume = true, .part = {2, 2}});
+  run_study(study, folder.file("parts"), {.jobs = 2, .resume = true, .part = {1, 2}});
+  EXPECT_EQ(folder.text("out/study.csv"), folder.text("parts/study.csv"));
+  EXPECT_EQ(run_study(study, folder.file("out"), {.resume = true}).runs_made, 0u);
+}
+
 TEST(RunStudy, ProcessorTimeIsThatOfTheRun) {
   const StudyFolder folder;
   Study study = coarse_study(folder);
