@@ -78,6 +78,17 @@ std::string worst_section(const StudyResults& results) {
   return text + "\n";
 }
 
+// A bootstrap cannot tell what never happened. By the rule of three 3 of n blocks may change with an input although
+// none did, of which each adds 1/(2 n variance) to the index; the variance of yes or no is 1/4 at most.
+std::string limit_of_bootstrap(const Study& study) {
+  const StudySensitivity& sensitivity = study.sensitivity;
+  if (sensitivity.method != SensitivityMethod::sobol || sensitivity.of != "captured") return "";
+  return fmt::format(
+      "Intervals are those of a bootstrap over the {0} blocks. One from 0 to 0 means that the input changed the outcome in "
+      "no block, which leaves room for an index of {1:.2g} or so (3 of {0} blocks).\n\n",
+      sensitivity.size, 6.0 / sensitivity.size);
+}
+
 }  // namespace
 
 std::string campaign_report(const Study& study, const StudyOutcome& outcome, const StudyResults& results) {
@@ -87,7 +98,8 @@ std::string campaign_report(const Study& study, const StudyOutcome& outcome, con
       outcome.limited > 0 ? fmt::format(", {} with one that reached its limit of steps", outcome.limited) : "");
   text += inputs_section(results);
   if (!outcome.sensitivities.empty()) {
-    return text + "## Sensitivity\n\n```\n" + sensitivity_text(study, outcome.sensitivities) + "```\n\n";
+    return text + "## Sensitivity\n\n```\n" + sensitivity_text(study, outcome.sensitivities) + "```\n\n" +
+           limit_of_bootstrap(study);
   }
   text += probability_section(study, outcome) + quantiles_section(outcome);
   return text + worst_section(results);

@@ -6,6 +6,7 @@
 #include <QComboBox>
 #include <QDir>
 #include <QDockWidget>
+#include <QElapsedTimer>
 #include <QFile>
 #include <QPushButton>
 #include <QSpinBox>
@@ -13,6 +14,7 @@
 #include <QToolButton>
 #include <QUndoStack>
 #include <algorithm>
+#include <cstdio>
 #include <set>
 
 #include "engine/scenario/write_scenario.h"
@@ -129,6 +131,13 @@ TEST(CampaignWords, AreThoseOfThePoint) {
 
 // ---- the window ----
 
+double resident_megabytes() {
+  QFile status("/proc/self/status");
+  if (!status.open(QIODevice::ReadOnly)) return 0;
+  const QByteArray text = status.readAll();
+  return text.mid(text.indexOf("VmRSS:") + 6).trimmed().split(' ').front().toDouble() / 1024;
+}
+
 class CampaignTest : public WindowTest {
  protected:
   CampaignTest() {
@@ -231,6 +240,49 @@ TEST_F(CampaignTest, OpensAFolderThatSomebodyElseMade) {
   actions().open_folder(folder_.path());
   EXPECT_TRUE(panel().problem().contains("holds no study")) << panel().problem().toStdString();
   EXPECT_NE(actions().campaign(), nullptr) << "what was there stays";
+}
+
+// As many points as NETPOCKET_LARGE_CAMPAIGN says, 100000, say: copies of a few records. Prints time and memory.
+TEST_F(CampaignTest, OpensALargeFolder) {
+  ASSERT_TRUE(run_campaign());
+  ASSERT_TRUE(wait_for_end());
+  view().leave_button()->click();
+  const int points = std::max(5000, qEnvironmentVariableIntValue("NETPOCKET_LARGE_CAMPAIGN"));
+  QFile records(file("campaign/records/1_of_1.jsonl"));
+  ASSERT_TRUE(records.open(QIODevice::ReadWrite));
+  const QByteArrayList lines = records.readAll().trimmed().split('\n');
+  for (int point = 11; point <= points; ++point) {
+    const QByteArray& line = lines[point % lines.size()];
+    records.write("{\"point\":" + QByteArray::number(point) + line.mid(line.indexOf(',')) + "\n");
+  }
+  records.close();
+  QFile manifest(file("campaign/study_manifest.json"));
+  ASSERT_TRUE(manifest.open(QIODevice::ReadWrite));
+  const QByteArray text =
+      manifest.readAll().replace("\"points\": 10,", "\"points\": " + QByteArray::number(points) + ",");
+  manifest.resize(0);
+  manifest.write(text);
+  manifest.close();
+
+  const double before = resident_megabytes();
+  QElapsedTimer time;
+  time.start();
+  window_->open(file("campaign"));
+  double most = 0;
+  ASSERT_TRUE(wait_until(
+      [&] {
+        most = std::max(most, resident_megabytes());
+        return rows() == static_cast<std::size_t>(points);
+      },
+      600));
+  ASSERT_TRUE(wait_until([&] { return view().state_text().contains(QString("%1 of %1 points").arg(points)); }, 60));
+  const double opened = 1e-3 * static_cast<double>(time.restart());
+  EXPECT_FALSE(view().map()->grab().isNull());
+  std::printf("%d points: opened in %.1f s with %.0f MB more, the map drawn in %.2f s\n", points, opened, most - before,
+              1e-3 * static_cast<double>(time.elapsed()));
+  // Numbers of the points, and batches of records that are under way.
+  EXPECT_LT(most - before, 300 + 3e-3 * points);
+  screenshot("campaign_large");
 }
 
 TEST_F(CampaignTest, ACaptureIsOpenedAndMadeTheScenario) {
