@@ -9,7 +9,7 @@ namespace {
 // Times are sums of steps. A sample is due this fraction of its period early.
 constexpr double kRounding = 1e-9;
 
-Commands commands_for(const CableSystem& system) { return {system.model().bodies.size(), system.model().ropes.size()}; }
+Commands commands_for(const CableSystem& system) { return {system.model().bodies.size(), system.model().rope_count()}; }
 
 // Shortest length (m) of a rope within `interval` (s) if it keeps its acceleration. Its length is a parabola in time.
 double extrapolated(const RopeMotion& motion, double interval) {
@@ -24,7 +24,7 @@ double extrapolated(const RopeMotion& motion, double interval) {
 }  // namespace
 
 ControlLoop::ControlLoop(CableSystem& system)
-    : system_(&system), total_(commands_for(system)), shortest_(system.model().ropes.size()) {}
+    : system_(&system), total_(commands_for(system)), shortest_(system.model().rope_count()) {}
 
 void ControlLoop::add(std::unique_ptr<Controller> controller, double period) {
   entries_.push_back({std::move(controller), period, commands_for(*system_), system_->time()});

@@ -1,4 +1,5 @@
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -21,9 +22,10 @@ class FaultSearch {
   explicit FaultSearch(const Model& model) : model_(model) {}
 
   Fault first() const {
-    for (const auto search : {&FaultSearch::in_nodes, &FaultSearch::in_gradients, &FaultSearch::in_materials,
-                              &FaultSearch::in_elements, &FaultSearch::in_bodies, &FaultSearch::in_hinges,
-                              &FaultSearch::in_lines, &FaultSearch::in_ropes, &FaultSearch::in_node_groups}) {
+    for (const auto search :
+         {&FaultSearch::in_nodes, &FaultSearch::in_gradients, &FaultSearch::in_materials, &FaultSearch::in_elements,
+          &FaultSearch::in_bodies, &FaultSearch::in_hinges, &FaultSearch::in_lines, &FaultSearch::in_ropes,
+          &FaultSearch::in_ring_ropes, &FaultSearch::in_node_groups}) {
       if (Fault fault = (this->*search)()) return fault;
     }
     return std::nullopt;
@@ -170,6 +172,27 @@ class FaultSearch {
       }
       if (!(rope.share_at_start >= 0 && rope.share_at_start <= 1)) return "has a share at its start outside 0 to 1";
       return "";
+    });
+  }
+
+  Fault in_ring_ropes() const {
+    return search("rope through rings", model_.ring_ropes, [&](const RingRope& rope, std::size_t) -> std::string {
+      if (rope.nodes.size() < 2) return "has fewer than two nodes";
+      if (rope.lengths.size() + 1 != rope.nodes.size()) return "has other than one length between two nodes";
+      for (std::size_t i = 0; i < rope.nodes.size(); ++i) {
+        if (!is_index(rope.nodes[i], model_.nodes.size())) return "joins a node that does not exist";
+        if (i > 0 && rope.nodes[i] == rope.nodes[i - 1]) return "joins a node to itself";
+      }
+      if (!std::ranges::all_of(rope.lengths, [](double length) { return is_positive(length); })) return "has no length";
+      if (!is_positive(rope.stiffness)) return "has no stiffness";
+      if (!is_positive(rope.drag) || !is_positive(rope.least_part)) return "needs a positive drag and least part";
+      if (!is_not_negative(rope.damping) || !is_not_negative(rope.friction) || !is_not_negative(rope.extra_angle)) {
+        return "has a negative or infinite damping, friction or angle";
+      }
+      if (!(rope.share_at_start >= 0 && rope.share_at_start <= 1)) return "has a share at its start outside 0 to 1";
+      return std::isfinite(rope.motion.rate) && std::isfinite(rope.motion.acceleration)
+                 ? ""
+                 : "has a rate or acceleration that is not finite";
     });
   }
 

@@ -1,5 +1,7 @@
 #include "engine/model/model.h"
 
+#include <numeric>
+
 namespace netpocket {
 
 std::int32_t Model::add_node(const Eigen::Vector3d& position) {
@@ -86,6 +88,12 @@ Structure Model::structure() const {
   }
   for (const ModelBody& body : bodies) result.bodies.push_back({body.name, body.role, body.shape, body.mass});
   return result;
+}
+
+double Model::rope_length(std::size_t rope) const {
+  if (rope < ropes.size()) return ropes[rope].motion.length;
+  const std::vector<double>& lengths = ring_ropes.at(rope - ropes.size()).lengths;
+  return std::accumulate(lengths.begin(), lengths.end(), 0.0);
 }
 
 double Model::cable_mass() const {

@@ -128,6 +128,22 @@ struct VariableRope {
   double share_at_start = 0.5;         // fraction of the winding done by the retractor at the first node
 };
 
+// A rope without mass that runs through rings, with friction there (dynamics/ropes/ring_flow.h). Retractors at its two
+// end nodes wind it, as a VariableRope, but its material moves from ring to ring as the tensions want. It has no
+// contact and is not drawn.
+struct RingRope {
+  std::vector<std::int32_t> nodes;  // its ends and, in between, the rings in their order
+  std::vector<double> lengths;      // m, natural, of the parts between nodes at the start
+  double stiffness = 0;             // EA, N
+  double damping = 0;               // c of EA (eps + c epsdot), s
+  double friction = 0;              // coefficient at the rings
+  double extra_angle = 0;           // rad, by which it wraps each ring besides its turn there
+  double drag = 1e-3;               // N s/m, of rope that slides through a ring, besides friction; positive
+  double least_part = 0.01;         // m, of rope that stays between two rings
+  double share_at_start = 0.5;      // fraction of the winding done by the retractor at the first node
+  RopeMotion motion = {};           // at the start; its length is the sum of `lengths`
+};
+
 struct Model {
   std::vector<ModelNode> nodes;
   std::vector<ModelGradient> gradients;
@@ -140,6 +156,7 @@ struct Model {
   std::vector<Hinge> hinges;
   std::vector<TensionLine> lines;
   std::vector<VariableRope> ropes;
+  std::vector<RingRope> ring_ropes;  // a run numbers its ropes through: first `ropes`, then these
   ContactSettings contact;
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  // m/s^2
 
@@ -163,6 +180,9 @@ struct Model {
   void fix_gradient(std::int32_t gradient) { gradients[gradient].support = Support::fixed; }
   void clamp_to_body(std::int32_t node, std::int32_t gradient, std::int32_t body);
 
+  std::size_t rope_count() const { return ropes.size() + ring_ropes.size(); }
+  // m, at the start, by that number.
+  double rope_length(std::size_t rope) const;
   // Material of the element `index`.
   const CableMaterial& material_of(std::int32_t index) const { return materials[elements[index].material]; }
   double radius_of(std::int32_t element) const { return material_of(element).radius; }  // m

@@ -70,6 +70,19 @@ ModeEnergy add_element_product(std::span<const BatchElement> elements, std::size
   return energy;
 }
 
+// The tension lines of a model, and the parts of its ropes through rings as stiff as they can become.
+std::vector<TensionLine> stiffest_lines(const Model& model) {
+  std::vector<TensionLine> lines = model.lines;
+  for (const RingRope& rope : model.ring_ropes) {
+    const double least = std::min(rope.least_part, *std::ranges::min_element(rope.lengths));
+    const double stiffness = rope.stiffness / least;
+    for (std::size_t i = 0; i + 1 < rope.nodes.size(); ++i) {
+      lines.push_back({rope.nodes[i], rope.nodes[i + 1], least, stiffness, rope.damping * stiffness});
+    }
+  }
+  return lines;
+}
+
 // A deterministic start vector with contributions of all modes.
 Vectors start_vector(std::int32_t size) {
   Vectors x(size);
@@ -116,6 +129,7 @@ StableStep find_stable_step(const Model& model, const CoordinateLayout& layout, 
   constexpr double kMargin = 1.02;  // safety: the Rayleigh quotient approaches the highest squared frequency from below
   Vectors x = start_vector(coordinates.size()), product(x.size());
   const Vectors directions = chord_directions(elements, coordinates);
+  const std::vector<TensionLine> lines = stiffest_lines(model);
   double step = 1e-4;
   StableStep result{.step = std::numeric_limits<double>::infinity()};
   for (int iteration = 0; iteration < kIterations; ++iteration) {
@@ -149,7 +163,7 @@ StableStep find_stable_step(const Model& model, const CoordinateLayout& layout, 
       dissipation += hinge.damping * bend.squaredNorm();
       consider(hinge.stiffness * bend.squaredNorm(), StepLimit::hinge, 0);
     }
-    for (const TensionLine& line : model.lines) {
+    for (const TensionLine& line : lines) {
       const std::int32_t r1 = layout.position(line.node1), r2 = layout.position(line.node2);
       const Eigen::Vector3d along = (coordinates.get(r2) - coordinates.get(r1)).stableNormalized();
       const double stretch = along.dot(x[r2] - x[r1]);
@@ -183,14 +197,15 @@ StableStep find_stable_step(const Model& model, const CoordinateLayout& layout, 
 StableStep with_lines(const Model& model, const CoordinateLayout& layout, std::span<const double> inverse_mass,
                       const StableStep& without) {
   std::vector<double> stiffness(inverse_mass.size(), 0.0), damping(inverse_mass.size(), 0.0);
-  for (const TensionLine& line : model.lines) {
+  const std::vector<TensionLine> lines = stiffest_lines(model);
+  for (const TensionLine& line : lines) {
     for (const std::int32_t node : {line.node1, line.node2}) {
       const auto place = static_cast<std::size_t>(layout.position(node));
       stiffness[place] += 2 * line.stiffness * inverse_mass[place];
       damping[place] += 2 * line.damping * inverse_mass[place];
     }
   }
-  if (model.lines.empty()) return without;
+  if (lines.empty()) return without;
   StableStep result = without;
   const double of_lines = *std::ranges::max_element(stiffness);
   if (of_lines > result.stiffness) result.limit = StepLimit::line;

@@ -60,10 +60,12 @@ struct CableSystem::Impl {
         state(model, elements.mass()),
         element_states(model, elements, state, threads),
         travelled(model, elements, state, threads),
+        ring_ropes(model, state.layout),
         contacts(model, elements, state, threads),
-        forces(model, elements, state, contacts, travelled, threads),
+        forces(model, elements, state, ring_ropes, contacts, travelled, threads),
         integrator(model, elements, state, forces, threads, travelled.weights()),
-        energies(elements, state, contacts, forces, element_states, integrator) {
+        energies(elements, state, ring_ropes, contacts, forces, element_states, integrator) {
+    ring_ropes.stretch(state.coordinates);
     begin_account();
   }
 
@@ -76,6 +78,11 @@ struct CableSystem::Impl {
   void state_has_jumped();
   void visit_state(const std::function<void(double&)>& visit);
   bool looks_sound() const;
+  // Index into Model::ring_ropes of what a run numbers as `rope`; nothing if it is one of Model::ropes.
+  std::optional<std::size_t> ring_rope(std::int32_t rope) const {
+    const auto index = static_cast<std::size_t>(rope);
+    return index < model.ropes.size() ? std::nullopt : std::optional(index - model.ropes.size());
+  }
   std::string contact_of(std::int32_t element) const;
 
   Model model;
@@ -84,6 +91,7 @@ struct CableSystem::Impl {
   CableState state;
   ElementStates element_states;
   TravelledWay travelled;
+  RingRopes ring_ropes;
   SystemContacts contacts;
   SystemForces forces;
   Leapfrog integrator;
@@ -130,6 +138,7 @@ void CableSystem::Impl::step(double dt) {
   elements.ropes().finish_step(dt);
   step_bodies(kick, dt);
   energies.after_bodies(kick);
+  if (!ring_ropes.empty()) energies.add(ring_ropes.advance(state.coordinates, dt));
   state.advance_time(dt);
   travelled.note_step(dt, fastest);
 }
@@ -198,6 +207,7 @@ void CableSystem::Impl::visit_state(const std::function<void(double&)>& visit) {
   safeguards.visit_state(visit);
   contacts.visit_bodies(visit_number);
   elements.ropes().visit_state(visit_number);
+  ring_ropes.visit_state(visit_number);
   if (changed) state_has_jumped();
 }
 
@@ -269,9 +279,20 @@ Eigen::Vector3d CableSystem::gradient(std::int32_t gradient) const {
 BodyState CableSystem::body(std::int32_t body) const { return impl_->state.bodies[body].state(); }
 RigidMotion CableSystem::motion(std::int32_t body) const { return impl_->state.bodies[body].motion(); }
 const Wrench& CableSystem::exerted(std::int32_t body) const { return impl_->state.bodies[body].exerted(); }
-const RopeMotion& CableSystem::rope_motion(std::int32_t rope) const { return impl_->elements.ropes().motion(rope); }
-
-double CableSystem::rope_tension(std::int32_t rope) const { return impl_->element_states.rope_tension(rope); }
+const RopeMotion& CableSystem::rope_motion(std::int32_t rope) const {
+  const auto ring_rope = impl_->ring_rope(rope);
+  return ring_rope ? impl_->ring_ropes.motion(*ring_rope) : impl_->elements.ropes().motion(rope);
+}
+double CableSystem::rope_tension(std::int32_t rope) const {
+  const auto ring_rope = impl_->ring_rope(rope);
+  return ring_rope ? impl_->ring_ropes.tension(*ring_rope) : impl_->element_states.rope_tension(rope);
+}
+std::vector<double> CableSystem::ring_rope_lengths(std::int32_t ring_rope) const {
+  return impl_->ring_ropes.lengths(static_cast<std::size_t>(ring_rope));
+}
+std::vector<double> CableSystem::ring_rope_tensions(std::int32_t ring_rope) const {
+  return impl_->ring_ropes.tensions(static_cast<std::size_t>(ring_rope));
+}
 
 void CableSystem::displace(std::span<const Eigen::Vector3d> displacements) {
   Impl& s = *impl_;
@@ -279,6 +300,7 @@ void CableSystem::displace(std::span<const Eigen::Vector3d> displacements) {
     if (s.model.nodes[i].support != Support::free) continue;
     s.state.coordinates.add(s.state.layout.position(static_cast<std::int32_t>(i)), displacements[i]);
   }
+  s.ring_ropes.stretch(s.state.coordinates);
   s.state_has_jumped();
   s.begin_account();
 }
@@ -287,7 +309,13 @@ void CableSystem::control(std::int32_t body, const BodyControl& control) {
   impl_->energies.forget_audit();
   if (impl_->contacts.depend_on_controls()) impl_->forces.forget();
 }
-void CableSystem::wind(std::int32_t rope, const RopeMotion& motion) { impl_->elements.ropes().wind(rope, motion); }
+void CableSystem::wind(std::int32_t rope, const RopeMotion& motion) {
+  if (const auto ring_rope = impl_->ring_rope(rope)) {
+    impl_->ring_ropes.wind(*ring_rope, motion);
+  } else {
+    impl_->elements.ropes().wind(rope, motion);
+  }
+}
 void CableSystem::set_wrinkling_moment(std::int32_t material, double moment) {
   Impl& s = *impl_;
   if (moment == s.forces.wrinkling().moment(material)) return;

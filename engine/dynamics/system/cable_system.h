@@ -17,6 +17,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "engine/dynamics/assembly/dynamic_body.h"
 #include "engine/dynamics/assembly/safeguards.h"
@@ -117,9 +118,14 @@ class CableSystem {
   // common centre of mass of the body and its attachments.
   RigidMotion motion(std::int32_t body) const;
   const Wrench& exerted(std::int32_t body) const;
-  const RopeMotion& rope_motion(std::int32_t rope) const;  // at the present time
-  // Mean tension (N) of a rope's elements at present, for the velocities of the last half step.
+  // `rope`: as Model numbers ropes through. The motion is that of the present time.
+  const RopeMotion& rope_motion(std::int32_t rope) const;
+  // Tension (N) that winches of a rope feel, at present, for the velocities of the last half step: the mean of its
+  // elements, or of the two end parts of a rope through rings.
   double rope_tension(std::int32_t rope) const;
+  // Natural lengths (m) and tensions (N) of the parts of a rope through rings, an index into Model::ring_ropes.
+  std::vector<double> ring_rope_lengths(std::int32_t ring_rope) const;
+  std::vector<double> ring_rope_tensions(std::int32_t ring_rope) const;
 
   // Displaces the free nodes (m, by node). To be called before the first step: energies count from the displaced state.
   void displace(std::span<const Eigen::Vector3d> displacements);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 
+#include "engine/dynamics/ropes/ring_ropes.h"
 #include "engine/dynamics/system/cable_elements.h"
 #include "engine/dynamics/system/cable_state.h"
 #include "engine/dynamics/system/cable_system.h"
@@ -18,10 +19,12 @@ namespace netpocket {
 class EnergyAccount {
  public:
   // All must outlive this object.
-  EnergyAccount(CableElements& elements, const CableState& state, const SystemContacts& contacts,
-                const SystemForces& forces, ElementStates& element_states, Leapfrog& integrator)
+  EnergyAccount(CableElements& elements, const CableState& state, const RingRopes& ring_ropes,
+                const SystemContacts& contacts, const SystemForces& forces, ElementStates& element_states,
+                Leapfrog& integrator)
       : elements_(elements),
         state_(state),
+        ring_ropes_(ring_ropes),
         contacts_(contacts),
         forces_(forces),
         element_states_(element_states),
@@ -37,6 +40,11 @@ class EnergyAccount {
   void after_bodies(double kick);
   void add_input(double work) { input_ += work; }  // J
   void add_spent_in_contacts(double energy) { spent_.in_contacts += energy; }
+  void add(const RingRopes::Work& work) {
+    input_ += work.input;
+    spent_.in_cords += work.in_dampers;
+    spent_.by_friction += work.at_rings;
+  }
 
   // The energies now. The present forces must be known.
   EnergyAudit audit();
@@ -55,6 +63,7 @@ class EnergyAccount {
 
   CableElements& elements_;
   const CableState& state_;
+  const RingRopes& ring_ropes_;
   const SystemContacts& contacts_;
   const SystemForces& forces_;
   ElementStates& element_states_;

@@ -39,10 +39,12 @@ std::optional<PairedElements> paired(const CableElements& elements, const CableS
 }  // namespace
 
 SystemForces::SystemForces(const Model& model, CableElements& elements, const CableState& state,
-                           SystemContacts& contacts, TravelledWay& travelled, const SystemThreads& threads)
+                           const RingRopes& ring_ropes, SystemContacts& contacts, TravelledWay& travelled,
+                           const SystemThreads& threads)
     : model_(model),
       elements_(elements),
       state_(state),
+      ring_ropes_(ring_ropes),
       contacts_(contacts),
       travelled_(travelled),
       threads_(threads),
@@ -104,6 +106,7 @@ void SystemForces::compute(double dt, bool with_elements) {
     for (Wrench& wrench : wrenches_) wrench = Wrench{};
     add_hinges(times.kick);
     add_lines();
+    ring_ropes_.add_forces(state_.coordinates, applied_);
     wrinkling_.add_forces(state_.coordinates, applied_);
     RopeDynamics& ropes = elements_.ropes();
     if (!ropes.empty()) {

@@ -16,6 +16,7 @@
 #include "engine/dynamics/assembly/update_kernel.h"
 #include "engine/dynamics/joints/hinge_kernel.h"
 #include "engine/dynamics/joints/rod_wrinkling.h"
+#include "engine/dynamics/ropes/ring_ropes.h"
 #include "engine/dynamics/system/cable_elements.h"
 #include "engine/dynamics/system/cable_state.h"
 #include "engine/dynamics/system/system_contacts.h"
@@ -28,8 +29,8 @@ namespace netpocket {
 class SystemForces {
  public:
   // All must outlive this object.
-  SystemForces(const Model& model, CableElements& elements, const CableState& state, SystemContacts& contacts,
-               TravelledWay& travelled, const SystemThreads& threads);
+  SystemForces(const Model& model, CableElements& elements, const CableState& state, const RingRopes& ring_ropes,
+               SystemContacts& contacts, TravelledWay& travelled, const SystemThreads& threads);
 
   // Computes the forces for a next step of `dt` (s): always, or unless they are known for this state and step. Forces
   // computed for a snapshot are kept, so that the next step need not compute them again.
@@ -85,6 +86,7 @@ class SystemForces {
   const Model& model_;
   CableElements& elements_;
   const CableState& state_;
+  const RingRopes& ring_ropes_;
   SystemContacts& contacts_;
   TravelledWay& travelled_;
   const SystemThreads& threads_;
