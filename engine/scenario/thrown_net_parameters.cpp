@@ -19,6 +19,7 @@ using namespace std::string_view_literals;
 
 constexpr std::array kNetShapes = {"square"sv, "hexagonal"sv, "radial"sv};
 constexpr std::array kDrawstringStarts = {"never"sv, "time"sv, "contact"sv};
+constexpr std::array kPassages = {"even"sv, "rings"sv};
 
 constexpr Limits within_limits(double least, double most) { return {least, most}; }
 constexpr Limits above_limit(double least, double most) { return {least, most, true}; }
@@ -101,6 +102,18 @@ std::vector<Parameter> own_parameters() {
                     kAssumed),
       own_parameter("drawstring.closed_length", initial<2.0>, above_limit(0, 1e3), "m",
                     "of a side's drawstring when closed", kAssumed),
+      own_parameter("drawstring.passage", initial<Choice{0}>, {}, "",
+                    "even: the drawstring is the perimeter's cord and stays evenly spread over its knots; rings: it "
+                    "runs along the perimeter's own cord through rings at its knots, with friction",
+                    kUsers, kPassages),
+      own_parameter("drawstring.ring_friction", initial<0.2>, within_limits(0, 10), "",
+                    "coefficient of friction mu at a ring, where one tension is at most exp(mu angle) times the other",
+                    "published friction of net on net, static"),
+      own_parameter("drawstring.ring_angle", initial<0.0>, within_limits(0, 100), "rad",
+                    "angle by which the drawstring wraps each ring, besides the angle by which it turns there",
+                    kAssumed),
+      own_parameter("drawstring.ring_spacing", initial<0.05>, above_limit(0, 10), "m",
+                    "drawstring that stays between two rings which are drawn together", kAssumed),
       own_parameter("drawstring.diameter", initial<0.002>, within_limits(1e-5, 0.1), "m", "diameter", kAssumed),
       own_parameter("drawstring.density", initial<1140.0>, within_limits(1, 3e4), "kg/m^3", "density",
                     "assumption: polyamide"),
@@ -189,12 +202,26 @@ class ThrownNetChecker {
     if (closed >= side) {
       add("drawstring.closed_length", fmt::format("must be shorter than the side of {:.6g} m, not {} m", side, closed));
     }
+    if (net_.passage == DrawstringPassage::rings) return check_rings(side);
     const double elements = std::lround(side * net_.cells / net_.side) * net_.elements_per_side;
     const double thick = net_.drawstring_cord.diameter * elements;
     if (closed < thick) {
       add("drawstring.closed_length",
           fmt::format("{} m have elements shorter than the drawstring is thick; at least {:.3g} m are needed", closed,
                       thick));
+    }
+  }
+
+  void check_rings(double side) {
+    const double parts = net_.parts_of_a_side();
+    if (net_.ring_spacing > 0.5 * side / parts) {
+      add("drawstring.ring_spacing", fmt::format("{} m are more than half of the {:.3g} m between two rings of the "
+                                                 "open net",
+                                                 net_.ring_spacing, side / parts));
+    } else if (net_.drawstring.closed_length < net_.ring_spacing * parts) {
+      add("drawstring.closed_length",
+          fmt::format("{} m are less than the drawstring.ring_spacing of {} m leaves between rings, {:.3g} m",
+                      net_.drawstring.closed_length, net_.ring_spacing, net_.ring_spacing * parts));
     }
   }
 
@@ -261,6 +288,8 @@ double ThrownNetParameters::smallest_mesh_side() const {
   return shape == NetShape::radial ? std::min(mesh, side_of_perimeter() / cells) : mesh;
 }
 
+double ThrownNetParameters::parts_of_a_side() const { return shape == NetShape::radial ? 1 : cells; }
+
 // A ring of a radial net has about as many elements as meshes of a spoke's go into its circumference.
 double ThrownNetParameters::elements_of_the_net() const {
   const double n = cells;
@@ -295,6 +324,10 @@ ThrownNetParameters thrown_net_parameters(const Scenario& scenario) {
                           .draws_at = draws_at,
                           .drawstring = {},
                           .draw_delay = own.number("drawstring.delay"),
+                          .passage = static_cast<DrawstringPassage>(own.choice("drawstring.passage")),
+                          .ring_friction = own.number("drawstring.ring_friction"),
+                          .ring_angle = own.number("drawstring.ring_angle"),
+                          .ring_spacing = own.number("drawstring.ring_spacing"),
                           .drawstring_cord = cord_of(own, "drawstring")};
   net.drawstring.start = own.number("drawstring.start");
   net.drawstring.duration = own.number("drawstring.duration");

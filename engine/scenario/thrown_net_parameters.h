@@ -13,6 +13,7 @@ struct SystemParameters;
 inline constexpr std::string_view kThrownNetSystem = "thrown_net";
 
 enum class DrawstringStart { never, time, contact };
+enum class DrawstringPassage { even, rings };
 enum class NetShape { square, hexagonal, radial };
 
 struct ThrownNetParameters {
@@ -42,11 +43,16 @@ struct ThrownNetParameters {
   DrawstringStart draws_at;
   ClosingParameters drawstring;  // by side of the net; `start` of `draws_at`
   double draw_delay;             // s, from the first contact, for draws_at = contact
+  DrawstringPassage passage;     // how rope passes the knots of the perimeter
+  double ring_friction;          // coefficient, for passage = rings; likewise the next two
+  double ring_angle;             // rad, wrap at each ring besides the rope's turn
+  double ring_spacing;           // m, of rope that stays between two rings
   CordParameters drawstring_cord;
 
   bool has_drawstring() const { return draws_at != DrawstringStart::never; }
   int corner_count() const { return shape == NetShape::square ? 4 : shape == NetShape::hexagonal ? 6 : spokes; }
   double side_of_perimeter() const;    // m
+  double parts_of_a_side() const;      // of the perimeter, between knots
   double smallest_mesh_side() const;   // m
   double elements_of_the_net() const;  // number of cable elements
 };

@@ -57,13 +57,20 @@ void erase_from(std::string& text, const std::string& first, const std::string& 
   text.erase(begin, end - begin);
 }
 
-// The complete scenario, but without [scatter], the radius of edges and the limit of steps where these do nothing:
-// studies from before they came are the same as after.
+// Parameters that came after the first studies and whose default changes nothing.
+constexpr std::string_view kLater[] = {"contact.edge_radius",      "solver.most_steps",     "drawstring.passage",
+                                       "drawstring.ring_friction", "drawstring.ring_angle", "drawstring.ring_spacing"};
+
+// The complete scenario, but without [scatter] and later parameters where these do nothing: studies from before they
+// came are the same as after.
 std::string identified_text(const Scenario& scenario) {
   std::string text = write_scenario_text(scenario);
-  if (scenario.solver.most_steps == 0) erase_from(text, "\nmost_steps = ", "\n");
-  if (scenario.contact.edge_radius == 0) erase_from(text, "\nedge_radius = ", "\n");
   if (!has_scatter(scenario)) erase_from(text, fmt::format("\n[{}]\n", scatter_group().name), "\n[");
+  for (const std::string_view key : kLater) {
+    const Parameter* parameter = find_parameter(key, scenario);
+    if (parameter == nullptr || parameter->get(scenario) != parameter->initial()) continue;
+    erase_from(text, fmt::format("\n{} = ", parameter->name()), "\n");
+  }
   return text;
 }
 

@@ -33,6 +33,16 @@ Pull pull_of(const RingLaw& law, const RingPart& part, double length, double dt)
 
 }  // namespace
 
+// exp(x) = exp(x/64)^64, with a series for the small argument.
+double capstan_ratio(double friction, double angle) {
+  constexpr int kSquares = 6, kTerms = 16;
+  const double x = std::clamp(friction * angle, 0.0, 50.0) / (1 << kSquares);
+  double sum = 1;
+  for (int term = kTerms; term > 0; --term) sum = 1 + sum * x / term;
+  for (int square = 0; square < kSquares; ++square) sum *= sum;
+  return sum;
+}
+
 double ring_part_strain(double distance, double length) { return std::max(distance / length - 1, 0.0); }
 
 double ring_part_tension(const RingLaw& law, const RingPart& part, double length, double dt) {

@@ -34,6 +34,9 @@ struct RingPart {
   double strain_before;  // e', >= 0
 };
 
+// R = exp(mu theta), by additions and multiplications only, to 1e-13. At most exp(50): the rope is then stuck.
+double capstan_ratio(double friction, double angle);
+
 double ring_part_strain(double distance, double length);  // e
 // T (N) of a part of the length `length` (m); without damping if dt = 0.
 double ring_part_tension(const RingLaw& law, const RingPart& part, double length, double dt);

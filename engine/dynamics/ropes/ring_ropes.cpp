@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "engine/math/elementary.h"
-#include "engine/math/power.h"
 #include "engine/math/symmetric_algebra.h"
 
 namespace netpocket {
@@ -60,13 +58,14 @@ double RingRopes::flow_tension(const Rope& rope, const Part& part) {
 // The angle by which a rope turns at each ring, and the capstan's ratio there.
 void RingRopes::find_ratios(const Rope& rope, const CoordinateVectors& coordinates) {
   ratios_.assign(rope.parts.size() - 1, 1.0);
-  if (rope.friction == 0) return;
+  const bool is_slack = std::ranges::all_of(
+      stretched_, [](const RingPart& part) { return part.distance <= part.length && part.strain_before == 0; });
+  if (rope.friction == 0 || is_slack) return;  // nothing slides either way
   Eigen::Vector3d last = chord(rope.places, 0, coordinates);
   for (std::size_t ring = 0; ring < ratios_.size(); ++ring) {
     const Eigen::Vector3d next = chord(rope.places, ring + 1, coordinates);
     const double turn = arc_tangent(symmetric_norm(last.cross(next)), symmetric_dot(last, next));
-    const double angle = rope.extra_angle + turn;
-    if (angle > 0) ratios_[ring] = power(std::numbers::e, rope.friction * angle);
+    ratios_[ring] = capstan_ratio(rope.friction, rope.extra_angle + turn);
     last = next;
   }
 }

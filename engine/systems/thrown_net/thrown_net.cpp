@@ -23,6 +23,10 @@ enum class NetGroup : std::int32_t { cords, corner_threads, drawstring, tether }
 // The tether starts this far in front of the spacecraft's face, so that its end does not touch it.
 constexpr double kEye = 0.02;  // m
 
+// Drag of a drawstring at a ring, by the force that rope of its mass needs to run with the speed of waves: little
+// enough not to be noticed beside friction.
+constexpr double kRingDrag = 1e-3;
+
 class ThrownNetBuilder {
  public:
   explicit ThrownNetBuilder(const Scenario& scenario)
@@ -64,6 +68,7 @@ class ThrownNetBuilder {
   void add_cords();
   std::vector<std::int32_t> nodes_of(const NetCord& cord) const;
   void add_side(const NetCord& cord, const std::string& name);
+  void add_rings(const NetCord& cord);
   void add_corner_masses();
   void add_tether();
   void throw_net();
@@ -154,8 +159,11 @@ void ThrownNetBuilder::add_cords() {
   int side = 0;
   for (const NetCord& cord : net_.pattern.cords) {
     if (cord.is_side && given_.has_drawstring()) {
-      add_side(cord, fmt::format("drawstring {}", ++side));
-      continue;
+      if (given_.passage == DrawstringPassage::even) {
+        add_side(cord, fmt::format("drawstring {}", ++side));
+        continue;
+      }
+      add_rings(cord);
     }
     const auto elements = add_chain(nodes_of(cord), cord.divisions * given_.elements_per_side, cord.length, cord_,
                                     NetGroup::cords, cord.name);
@@ -178,6 +186,28 @@ void ThrownNetBuilder::add_side(const NetCord& cord, const std::string& name) {
   model_.ropes.push_back(std::move(rope));
 }
 
+// A side along whose cord the drawstring runs, through rings at the knots. Its mass stays with the knots.
+void ThrownNetBuilder::add_rings(const NetCord& cord) {
+  const CableSection& section = model_.materials[static_cast<std::size_t>(drawstring_)].section;
+  const std::size_t parts = cord.knots.size() - 1;
+  const double length = cord.length / static_cast<double>(parts);
+  const double impedance = std::sqrt(section.EA * section.mass_per_length);
+  model_.ring_ropes.push_back({.nodes = nodes_of(cord),
+                               .lengths = std::vector<double>(parts, length),
+                               .stiffness = section.EA,
+                               .damping = section.axial_damping,
+                               .friction = given_.ring_friction,
+                               .extra_angle = given_.ring_angle,
+                               .drag = kRingDrag * impedance,
+                               .least_part = given_.ring_spacing});
+  for (std::size_t part = 0; part < parts; ++part) {
+    for (const std::size_t end : {part, part + 1}) {
+      model_.nodes[static_cast<std::size_t>(net_.node_of(cord.knots[end]))].point_mass +=
+          0.5 * section.mass_per_length * length;
+    }
+  }
+}
+
 void ThrownNetBuilder::add_corner_masses() {
   CordParameters thread = given_.cord;
   thread.diameter = given_.corner_thread_diameter;
@@ -196,7 +226,7 @@ void ThrownNetBuilder::add_corner_masses() {
                 fmt::format("corner thread {}", ++number));
     }
     ModelNode& node = model_.nodes[static_cast<std::size_t>(mass)];
-    node.point_mass = given_.corner_mass;
+    node.point_mass += given_.corner_mass;
     node.velocity = given_.speed * (sine(given_.angle) * out + cosine(given_.angle) * Eigen::Vector3d::UnitY());
     net_.corner_masses.push_back(mass);
   }

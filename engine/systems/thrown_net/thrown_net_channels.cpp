@@ -25,7 +25,8 @@ ThrownNetChannels::ThrownNetChannels(const ThrownNet& net)
       corner_masses_(net.corner_masses),
       net_elements_(net.net_elements),
       tether_end_(net.tether_end),
-      has_drawstring_(!net.model.ropes.empty()) {
+      has_drawstring_(net.model.rope_count() > 0),
+      has_rings_(!net.model.ring_ropes.empty()) {
   // In the order of `fill`.
   infos_.push_back({"net_area", "m^2", "area of the net: the sum over triangles between its knots"});
   infos_.push_back({"net_area_part", "1", "that area by the flat net's"});
@@ -39,12 +40,26 @@ ThrownNetChannels::ThrownNetChannels(const ThrownNet& net)
   if (!has_drawstring_) return;
   infos_.push_back({"drawstring_length", "m", "length of a side's drawstring outside the winches"});
   infos_.push_back({"drawstring_tension", "N", "tension of the drawstring, mean over its sides"});
+  if (!has_rings_) return;
+  infos_.back().meaning = "tension of the drawstring at the winches, mean";
+  infos_.push_back({"drawstring_middle_tension", "N", "tension of the drawstring in the middle of a side, mean"});
 }
 
 double ThrownNetChannels::corner_speed(const Snapshot& snapshot) const {
   double sum = 0;
   for (const std::int32_t node : corner_masses_) sum += snapshot.velocities.col(node).norm();
   return sum / static_cast<double>(corner_masses_.size());
+}
+
+// N, mean over the sides.
+double ThrownNetChannels::middle_tension(const CableSystem& system) {
+  const std::size_t sides = system.model().ring_ropes.size();
+  double sum = 0;
+  for (std::size_t side = 0; side < sides; ++side) {
+    const std::vector<double> tensions = system.ring_rope_tensions(static_cast<std::int32_t>(side));
+    sum += tensions[tensions.size() / 2];
+  }
+  return sum / static_cast<double>(sides);
 }
 
 void ThrownNetChannels::fill(const CableSystem& system, Snapshot& snapshot) const {
@@ -64,11 +79,12 @@ void ThrownNetChannels::fill(const CableSystem& system, Snapshot& snapshot) cons
   *out++ = enclosure > 0.5 ? 1 : 0;
   if (tether_end_ >= 0) *out++ = snapshot.tension[tether_end_] + 0.0;  // a slack one has -0
   if (!has_drawstring_) return;
-  const std::size_t sides = system.model().ropes.size();
+  const std::size_t sides = system.model().rope_count();
   double tension = 0;
   for (std::size_t rope = 0; rope < sides; ++rope) tension += system.rope_tension(static_cast<std::int32_t>(rope));
   *out++ = system.rope_motion(0).length;
   *out++ = tension / static_cast<double>(sides);
+  if (has_rings_) *out++ = middle_tension(system);
 }
 
 }  // namespace netpocket

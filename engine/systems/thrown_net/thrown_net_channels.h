@@ -21,6 +21,7 @@ class ThrownNetChannels {
 
  private:
   double corner_speed(const Snapshot& snapshot) const;
+  static double middle_tension(const CableSystem& system);
 
   std::vector<ChannelInfo> infos_;
   std::size_t first_own_;
@@ -30,7 +31,7 @@ class ThrownNetChannels {
   std::int32_t target_;
   std::vector<std::int32_t> corner_masses_, net_elements_;
   std::int32_t tether_end_;
-  bool has_drawstring_;
+  bool has_drawstring_, has_rings_;
 };
 
 }  // namespace netpocket

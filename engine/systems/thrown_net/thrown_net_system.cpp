@@ -45,7 +45,7 @@ CaptureSystem build_thrown_net_system(const Scenario& scenario) {
   add(std::make_unique<SpacecraftDrive>(scenario.towing, scenario.spacecraft.station_keeping, mass_of_all(net.model),
                                         net.spacecraft, times));
   std::vector<double> open_lengths;
-  for (const VariableRope& rope : net.model.ropes) open_lengths.push_back(rope.motion.length);
+  for (std::size_t rope = 0; rope < net.model.rope_count(); ++rope) open_lengths.push_back(net.model.rope_length(rope));
   const WinchControl* winches = nullptr;
   if (!open_lengths.empty()) {
     auto drawstring = std::make_unique<DrawstringControl>(scenario, open_lengths, times);

@@ -72,6 +72,12 @@ TEST_F(VerificationRings, CapstanRatioAtEachRing) {
   expect_below("rope through 8 rings and wound in, error, m", rope_error, 1e-13, "round-off of sums of 9 m");
 }
 
+TEST(RingFlow, CapstanRatio) {
+  for (const double angle : {0.0, 1e-9, 0.3, 3.0, 20.0, 40.0}) {
+    EXPECT_NEAR(capstan_ratio(0.5, angle) / std::exp(0.5 * angle), 1, 1e-13) << angle;
+  }
+}
+
 TEST_F(VerificationRings, NoFrictionMakesOneTension) {
   CableSystem system(standing_rings(6, 0.7, 0, 0));
   system.step(1e-3);

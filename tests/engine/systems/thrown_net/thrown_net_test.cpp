@@ -223,6 +223,42 @@ TEST(ThrownNet, DrawstringClosesTheMouth) {
   EXPECT_LT(std::abs(channel(closed, "energy_error")), 0.15 * channel(closed, "energy_dissipated"));
 }
 
+// The same with rings: the middle of a side is drawn less the more friction its rings have, which becomes heat.
+TEST(ThrownNet, DrawstringThroughRingsClosesTheMouth) {
+  double heat_without = 0, middle_without = 0;
+  for (const double friction : {0.0, 0.3}) {
+    const Scenario scenario =
+        free_throw("",
+                   "[drawstring]\nstarts_at = \"time\"\nstart = 4\nduration = 4\npassage = \"rings\"\n"
+                   "ring_friction = " +
+                       std::to_string(friction) + "\nring_angle = 0.3\n");
+    EXPECT_EQ(check_scenario(scenario).text(), "");
+    const ThrownNet net = build_thrown_net(scenario);
+    EXPECT_EQ(net.model.ring_ropes.size(), 4u);
+    EXPECT_TRUE(net.model.ropes.empty());
+    Simulation simulation(scenario);
+    double middle = 0, at_winches = 0;
+    for (double time = 4; time < 8; time += 0.05) {
+      const Snapshot snapshot = advanced_to(simulation, time);
+      middle += channel(snapshot, "drawstring_middle_tension");
+      at_winches += channel(snapshot, "drawstring_tension");
+    }
+    const Snapshot closed = advanced_to(simulation, 8.5);
+    EXPECT_NEAR(channel(closed, "drawstring_length"), 2, 1e-12);
+    EXPECT_LT(channel(closed, "mouth_area"), 64 / (4 * std::numbers::pi));
+    EXPECT_LT(std::abs(channel(closed, "energy_error")), 0.15 * channel(closed, "energy_dissipated"));
+    if (friction == 0) {
+      heat_without = channel(closed, "spent_by_friction");
+      middle_without = middle / at_winches;
+      EXPECT_NEAR(middle_without, 1, 0.02) << "one tension along a rope without friction";
+    } else {
+      EXPECT_GT(channel(closed, "spent_by_friction"), heat_without + 0.1);
+      // Rings near the corners slide, those in the middle hold: 0.95 here.
+      EXPECT_LT(middle / at_winches, middle_without - 0.03);
+    }
+  }
+}
+
 // Zhang et al. 2021, Adv. Space Res. 68, 1960: the distance at which a net is largest depends on its size and on the
 // angle, hardly on the speed. Inertia alone scales exactly; damping and bending do not.
 TEST_F(VerificationThrownNet, LargestAreaComesAtADistanceThatSpeedDoesNotChange) {
@@ -261,6 +297,12 @@ TEST(ThrownNet, SaysWhatIsWrongInItsScenarios) {
       "net.cells: 5 cells leave no knot in the middle for the tether; use an even number or tether.attached = false");
   EXPECT_EQ(problem("[drawstring]\nstarts_at = \"time\"\nclosed_length = 30\n"),
             "drawstring.closed_length: must be shorter than the side of 22 m, not 30 m");
+  const std::string rings = "[drawstring]\nstarts_at = \"time\"\npassage = \"rings\"\n";
+  EXPECT_EQ(problem(rings + "closed_length = 1\n"),
+            "drawstring.closed_length: 1 m are less than the drawstring.ring_spacing of 0.05 m leaves between rings, "
+            "1.1 m");
+  EXPECT_EQ(problem(rings + "ring_spacing = 0.6\n"),
+            "drawstring.ring_spacing: 0.6 m are more than half of the 1 m between two rings of the open net");
   EXPECT_EQ(check_scenario(thrown("[target]\nposition = [0, 60, 0]\n[towing]\nstarts_at = \"closed\"\n")).text(),
             "towing.starts_at: without a drawstring the net is never closed; give towing.start");
 }
