@@ -16,6 +16,7 @@ void Commands::clear() {
   std::ranges::fill(ropes_, std::nullopt);
   friction_.reset();
   moments_.clear();
+  released_.clear();
 }
 
 void Commands::take(Commands& other, const Measurements& measurements) {
@@ -33,10 +34,13 @@ void Commands::take(Commands& other, const Measurements& measurements) {
   if (other.friction_) friction_ = std::exchange(other.friction_, std::nullopt);
   moments_.insert(moments_.end(), other.moments_.begin(), other.moments_.end());
   other.moments_.clear();
+  released_.insert(released_.end(), other.released_.begin(), other.released_.end());
+  other.released_.clear();
 }
 
 void Commands::apply(CableSystem& system) const {
   if (friction_) system.set_friction(*friction_);
+  for (const std::int32_t body : released_) system.release(body);
   for (const auto& [material, moment] : moments_) system.set_wrinkling_moment(material, moment);
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     system.control(static_cast<std::int32_t>(b), bodies_[b].value_or(BodyControl{}));

@@ -28,6 +28,8 @@ class Measurements {
   RigidMotion motion(std::int32_t body) const { return system_->motion(body); }
   // What the controls of a body exerted in the last step, about that centre.
   const Wrench& exerted(std::int32_t body) const { return system_->exerted(body); }
+  // Whether a lock holds a body.
+  bool is_held(std::int32_t body) const { return system_->is_held(body); }
   const RopeMotion& rope(std::int32_t rope) const { return system_->rope_motion(rope); }
   Eigen::Vector3d node(std::int32_t node) const { return system_->position(node); }  // m
   // Impulse (N s) that cables have given to a body since the start.
@@ -51,6 +53,8 @@ class Commands {
   // Motion of a rope at the end of the step. A rope that nobody winds keeps its rate and acceleration.
   void wind(std::int32_t rope, const RopeMotion& at_end) { ropes_[static_cast<std::size_t>(rope)] = at_end; }
   void set_friction(double coefficient) { friction_ = coefficient; }
+  // Releases a body that is locked to another.
+  void release(std::int32_t body) { released_.push_back(body); }
   // Wrinkling moment (N m) of the rods of a material.
   void set_wrinkling_moment(std::int32_t material, double moment) { moments_.emplace_back(material, moment); }
 
@@ -69,6 +73,7 @@ class Commands {
   std::vector<std::optional<RopeMotion>> ropes_;
   std::optional<double> friction_;
   std::vector<std::pair<std::int32_t, double>> moments_;  // material, N m
+  std::vector<std::int32_t> released_;                    // bodies
 };
 
 class Controller {

@@ -24,8 +24,8 @@ class FaultSearch {
   Fault first() const {
     for (const auto search :
          {&FaultSearch::in_nodes, &FaultSearch::in_gradients, &FaultSearch::in_materials, &FaultSearch::in_elements,
-          &FaultSearch::in_bodies, &FaultSearch::in_hinges, &FaultSearch::in_lines, &FaultSearch::in_ropes,
-          &FaultSearch::in_ring_ropes, &FaultSearch::in_node_groups}) {
+          &FaultSearch::in_bodies, &FaultSearch::in_locks, &FaultSearch::in_hinges, &FaultSearch::in_lines,
+          &FaultSearch::in_ropes, &FaultSearch::in_ring_ropes, &FaultSearch::in_node_groups}) {
       if (Fault fault = (this->*search)()) return fault;
     }
     return std::nullopt;
@@ -125,6 +125,18 @@ class FaultSearch {
       const bool is_finite = body.state.position.allFinite() && body.state.attitude.coeffs().allFinite() &&
                              body.state.velocity.allFinite() && body.state.angular_velocity.allFinite();
       return is_finite ? "" : "has a state that is not finite";
+    });
+  }
+
+  Fault in_locks() const {
+    std::vector<bool> is_locked(model_.bodies.size());
+    return search("lock", model_.locks, [&](const BodyLock& lock, std::size_t) -> std::string {
+      for (const std::int32_t body : {lock.carrier, lock.carried}) {
+        if (!is_index(body, model_.bodies.size())) return "joins a body that does not exist";
+        if (is_locked[static_cast<std::size_t>(body)]) return "joins a body that is locked already";
+        is_locked[static_cast<std::size_t>(body)] = true;
+      }
+      return "";
     });
   }
 

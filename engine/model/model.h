@@ -80,6 +80,12 @@ struct ModelBody {
   double poisson_ratio = 0.33;
 };
 
+// Two bodies that move as one until a run releases the second (CableSystem::release). At the start they must move so.
+// They never touch each other.
+struct BodyLock {
+  std::int32_t carrier, carried;  // bodies
+};
+
 // Elastic joint between two gradients of one node. It keeps `gradient2` at the rest angle to `gradient1` by the moment
 // M = stiffness * angle + damping * rate. The angle is that between gradient2 and gradient1 rotated by `rest_rotation`.
 // The axes of this rotation move with `body` (-1: world axes), which receives the balance of moments. So the plane of a
@@ -153,6 +159,7 @@ struct Model {
   std::vector<NodeGroup> node_groups;
   std::vector<std::string> threads = {"cable"};
   std::vector<ModelBody> bodies;
+  std::vector<BodyLock> locks;  // of which no two have a body in common
   std::vector<Hinge> hinges;
   std::vector<TensionLine> lines;
   std::vector<VariableRope> ropes;

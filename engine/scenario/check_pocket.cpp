@@ -11,6 +11,7 @@
 #include "engine/scenario/check_overlaps.h"
 #include "engine/scenario/check_scenario.h"
 #include "engine/scenario/pocket_outline.h"
+#include "engine/scenario/pocket_tether.h"
 #include "engine/scenario/sector_scatter.h"
 
 namespace netpocket {
@@ -28,6 +29,7 @@ class PocketChecker {
     // The following checks need a valid profile.
     check_mesh();
     check_sector_scatter(s_, found_);
+    check_pocket_tether(s_, found_);
     check_closing();
     check_control(s_, found_);
     if (target_ != nullptr) check_overlaps(s_, *target_, found_);

@@ -10,6 +10,7 @@
 
 #include "engine/base/edit_distance.h"
 #include "engine/scenario/check_pocket.h"
+#include "engine/scenario/pocket_tether.h"
 #include "engine/scenario/sector_scatter.h"
 #include "engine/scenario/shared_parameters.h"
 #include "engine/scenario/strategy.h"
@@ -174,6 +175,16 @@ Parameter own_parameter(std::string_view key, ParameterValue (*initial)(), Limit
           .initial = initial};
 }
 
+namespace {
+
+std::vector<Parameter> own_parameters_of_pocket() {
+  std::vector<Parameter> all = scatter_parameters();
+  for (const Parameter& parameter : pocket_tether_parameters()) all.push_back(parameter);
+  return all;
+}
+
+}  // namespace
+
 const SystemParameters& pocket_parameters() {
   static const SystemParameters kPocket = {
       .name = kPocketSystem,
@@ -182,8 +193,8 @@ const SystemParameters& pocket_parameters() {
       .shared_groups = {"pocket", "net", "rope", "rods", "spacecraft", "target", "contact", "closing", "towing",
                         "winch", "deflation", "actuators"},
       .shared_lists = {"controller", "sensor", "actuators.thruster", "actuators.wheel", "disturbance"},
-      .groups = {scatter_group()},
-      .parameters = scatter_parameters(),
+      .groups = {scatter_group(), pocket_tether_group()},
+      .parameters = own_parameters_of_pocket(),
       .check = check_pocket,
       .acts_at_once = acts_at_once_in_pocket};
   return kPocket;

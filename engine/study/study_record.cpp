@@ -7,6 +7,7 @@
 #include "engine/analysis/report.h"
 #include "engine/bodies/triangle_mesh.h"
 #include "engine/scenario/parameters.h"
+#include "engine/scenario/pocket_tether.h"
 #include "engine/scenario/sector_scatter.h"
 #include "engine/scenario/target_shape.h"
 #include "engine/scenario/write_scenario.h"
@@ -49,6 +50,11 @@ bool has_scatter(const Scenario& scenario) {
   return false;
 }
 
+// Also if the table states anything although it does nothing: a pocket without a tether is the same.
+bool has_pocket_tether(const Scenario& scenario) {
+  return scenario.system != kPocketSystem || pocket_tether(scenario).attached;
+}
+
 // Erases what begins with `first` up to before the next `next`.
 void erase_from(std::string& text, const std::string& first, const std::string& next) {
   const auto begin = text.find(first);
@@ -66,6 +72,7 @@ constexpr std::string_view kLater[] = {"contact.edge_radius",      "solver.most_
 std::string identified_text(const Scenario& scenario) {
   std::string text = write_scenario_text(scenario);
   if (!has_scatter(scenario)) erase_from(text, fmt::format("\n[{}]\n", scatter_group().name), "\n[");
+  if (!has_pocket_tether(scenario)) erase_from(text, fmt::format("\n[{}]\n", pocket_tether_group().name), "\n[");
   for (const std::string_view key : kLater) {
     const Parameter* parameter = find_parameter(key, scenario);
     if (parameter == nullptr || parameter->get(scenario) != parameter->initial()) continue;

@@ -69,6 +69,8 @@ class DynamicBody {
   // prescribing the motion required.
   const Wrench& exerted() const { return exerted_; }
 
+  void note_exerted(const Wrench& exerted) { exerted_ = exerted; }
+
   // State of the body without attachments.
   BodyState state() const;
   // Centre of mass of the body without attachments, world frame, m.
@@ -98,8 +100,10 @@ class DynamicBody {
   // Smallest effective mass (kg) of any point of the body's surface against a push along the surface normal.
   double least_mass() const { return least_mass_; }
 
- private:
+  // A body without attachments, as its motion is stepped. `centre`: its own, from that of `rigid`, body axes, m.
   DynamicBody(const RigidBody& rigid, const Eigen::Vector3d& centre, const Shape& shape);
+
+ private:
   Wrench total(const Wrench& wrench, const BodyControl& control, double kick) const;
 
   RigidBody rigid_;

@@ -46,6 +46,10 @@ BodyContact::BodyContact(const Model& model, std::span<const DynamicBody> bodies
     for (std::size_t j = i + 1; j < bodies.size(); ++j) {
       const ModelBody &a = model.bodies[i], &b = model.bodies[j];
       const auto first = static_cast<std::int32_t>(i), second = static_cast<std::int32_t>(j);
+      const auto joins = [&](const BodyLock& lock) {
+        return std::min(lock.carrier, lock.carried) == first && std::max(lock.carrier, lock.carried) == second;
+      };
+      if (std::ranges::any_of(model.locks, joins)) continue;  // they may overlap where they are locked
       const double modulus =
           effective_modulus({a.youngs_modulus, a.poisson_ratio}, {b.youngs_modulus, b.poisson_ratio});
       const double radius = effective_radius(contact_radius(a.shape), contact_radius(b.shape));

@@ -83,12 +83,19 @@ ContactSearch::ContactSearch(const Model& model, std::span<const std::int32_t> n
   forget();
 }
 
-// An element with a node on the body is excluded: its attachment already connects it with the body.
+bool are_locked(const Model& model, std::int32_t a, std::int32_t b) {
+  return std::ranges::any_of(model.locks, [&](const BodyLock& lock) {
+    return (lock.carrier == a && lock.carried == b) || (lock.carrier == b && lock.carried == a);
+  });
+}
+
+// An element with a node on the body, or on one that is locked to it at the start, is excluded: its attachment already
+// connects it with the body.
 bool ContactSearch::is_touchable(const Model& model, std::int32_t element, std::int32_t body) {
   const ModelElement& e = model.elements[static_cast<std::size_t>(element)];
   const auto is_attached = [&](std::int32_t node) {
     const ModelNode& n = model.nodes[static_cast<std::size_t>(node)];
-    return n.support == Support::body && n.body == body;
+    return n.support == Support::body && (n.body == body || are_locked(model, n.body, body));
   };
   return model.bodies[static_cast<std::size_t>(body)].touches_cables && !is_attached(e.node1) &&
          !is_attached(e.node2) && model.radius_of(element) > 0;

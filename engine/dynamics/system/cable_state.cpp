@@ -51,6 +51,7 @@ CableState::CableState(const Model& model, std::span<const double> mass)
     bodies.emplace_back(model, static_cast<std::int32_t>(b), layout, mass);
     bodies.back().move_attachments(coordinates, velocities);
   }
+  for (const BodyLock& lock : model.locks) locks.emplace_back(lock, model, bodies);
 }
 
 void CableState::visit_motion(const std::function<void(double&)>& visit) {
@@ -58,6 +59,7 @@ void CableState::visit_motion(const std::function<void(double&)>& visit) {
   visit_vectors(velocities, visit);
   for (DynamicBody& body : bodies) visit_body(body.rigid(), visit);
   for (BodyControl& control : controls) control.visit_state(visit);
+  for (LockedBodies& lock : locks) lock.visit_state(visit);
 }
 
 void CableState::visit_time(const std::function<void(double&)>& visit) {

@@ -73,6 +73,7 @@ struct CableSystem::Impl {
   void fix_contacts(double dt);
   void fit_contacts(double dt);
   void step(double dt);
+  void step_locked(LockedBodies& lock, double kick, double dt);
   void step_bodies(double kick, double dt);
   void keep_forces_current() { forces.keep_current(state.last_step > 0 ? state.last_step : kStepBeforeFirst); }
   void state_has_jumped();
@@ -143,8 +144,20 @@ void CableSystem::Impl::step(double dt) {
   travelled.note_step(dt, fastest);
 }
 
+void CableSystem::Impl::step_locked(LockedBodies& lock, double kick, double dt) {
+  const std::size_t members[] = {static_cast<std::size_t>(lock.carrier()), static_cast<std::size_t>(lock.carried())};
+  const TravelledWay::Pose before[] = {TravelledWay::pose_of(state.bodies[members[0]]),
+                                       TravelledWay::pose_of(state.bodies[members[1]])};
+  energies.add_input(lock.step(state.bodies, forces.wrenches(), state.controls[members[0]], kick, dt));
+  for (const int i : {0, 1}) travelled.note_body(members[i], before[i]);
+}
+
 void CableSystem::Impl::step_bodies(double kick, double dt) {
+  for (LockedBodies& lock : state.locks) {
+    if (lock.is_locked()) step_locked(lock, kick, dt);
+  }
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
+    if (state.lock_of(b) != nullptr) continue;
     const TravelledWay::Pose before = TravelledWay::pose_of(state.bodies[b]);
     energies.add_input(state.bodies[b].step(forces.wrenches()[b], state.controls[b], kick, dt));
     travelled.note_body(b, before);
@@ -323,6 +336,17 @@ void CableSystem::set_wrinkling_moment(std::int32_t material, double moment) {
   s.forces.wrinkling().set_moment(material, moment);
   s.forces.forget();
   s.energies.add_input(s.forces.wrinkling_energy() - before);
+}
+void CableSystem::release(std::int32_t body) {
+  for (LockedBodies& lock : impl_->state.locks) {
+    if (lock.carried() != body || !lock.is_locked()) continue;
+    lock.release();
+    impl_->energies.forget_audit();
+  }
+}
+bool CableSystem::is_held(std::int32_t body) const {
+  const LockedBodies* lock = impl_->state.lock_of(static_cast<std::size_t>(body));
+  return lock != nullptr && lock->carried() == body;
 }
 void CableSystem::set_friction(double coefficient) {
   if (coefficient == impl_->contacts.friction()) return;

@@ -131,6 +131,9 @@ class CableSystem {
   void displace(std::span<const Eigen::Vector3d> displacements);
   // Sets what acts on a body from outside, from now on.
   void control(std::int32_t body, const BodyControl& control);
+  // Releases a body that a lock of the model holds, and whether it is still held.
+  void release(std::int32_t body);
+  bool is_held(std::int32_t body) const;
   // Winds a rope: sets its motion at the end of the next step. It must follow from the present motion without a jump of
   // the length. Without this call a rope keeps its rate and acceleration. The work of winding counts as energy input.
   void wind(std::int32_t rope, const RopeMotion& motion);

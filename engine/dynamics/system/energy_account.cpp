@@ -37,6 +37,12 @@ void EnergyAccount::after_bodies(double kick) {
 double EnergyAccount::kinetic_energy(const CoordinateVectors& velocity) const {
   double energy = 0;
   for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
+    if (const LockedBodies* lock = state_.lock_of(b)) {
+      if (lock->carrier() != static_cast<std::int32_t>(b)) continue;
+      energy +=
+          lock->kinetic_energy_after(state_.bodies, forces_.wrenches(), state_.controls[b], 0.5 * state_.last_step);
+      continue;
+    }
     energy += state_.bodies[b].kinetic_energy_after(forces_.wrenches()[b], state_.controls[b], 0.5 * state_.last_step);
   }
   return energy + integrator_.kinetic_energy(velocity);
@@ -46,8 +52,14 @@ double EnergyAccount::kinetic_energy(const CoordinateVectors& velocity) const {
 SystemContacts::Power EnergyAccount::contact_power_after(double kick) {
   CoordinateVectors positions = state_.coordinates, velocity = integrator_.velocities_after(kick);
   std::vector<DynamicBody> moving = state_.bodies;
+  for (const LockedBodies& lock : state_.locks) {
+    if (!lock.is_locked()) continue;
+    lock.kick(moving, forces_.wrenches(), state_.controls[static_cast<std::size_t>(lock.carrier())], kick);
+  }
   for (std::size_t b = 0; b < moving.size(); ++b) {
-    moving[b].rigid() = state_.bodies[b].after(forces_.wrenches()[b], state_.controls[b], kick);
+    if (state_.lock_of(b) == nullptr) {
+      moving[b].rigid() = state_.bodies[b].after(forces_.wrenches()[b], state_.controls[b], kick);
+    }
     moving[b].move_attachments(positions, velocity);
   }
   return contacts_.power(velocity, moving);

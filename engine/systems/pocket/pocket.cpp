@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "engine/math/rotation.h"
+#include "engine/scenario/pocket_tether.h"
 #include "engine/scenario/target_shape.h"
 #include "engine/state/pocket_groups.h"
 #include "engine/systems/pocket/materials.h"
@@ -31,6 +32,7 @@ class PocketBuilder {
       : scenario_(scenario),
         columns_(scenario.pocket.mesh_columns),
         rows_(scenario.pocket.mesh_rows),
+        tether_(pocket_tether(scenario)),
         sectors_(pocket_.model, scenario.pocket.rod_count, scenario.solver.pair_strains) {}
 
   Pocket build() {
@@ -53,6 +55,7 @@ class PocketBuilder {
     add_upper_net();
     add_closing_ropes();
     vary_sectors(scenario_, pocket_);
+    if (pocket_.hub >= 0) add_tether();
     finish_structure();
     return std::move(pocket_);
   }
@@ -65,6 +68,8 @@ class PocketBuilder {
   }
 
   void add_bodies();
+  void add_hub();
+  void add_tether();
   void add_rods();
   void add_lower_net();
   void add_upper_net();
@@ -75,6 +80,7 @@ class PocketBuilder {
 
   const Scenario& scenario_;
   int columns_, rows_;
+  PocketTether tether_;
   Pocket pocket_;
   SectorBuilder sectors_;
   std::int32_t net_ = 0, rope_ = 0;
@@ -114,6 +120,61 @@ void PocketBuilder::add_bodies() {
                                                      .angular_velocity = target.spin},
                                            .youngs_modulus = target.youngs_modulus,
                                            .poisson_ratio = target.poisson_ratio});
+  if (tether_.attached) add_hub();
+}
+
+// A square plate on the rods' roots, towards the pocket.
+void PocketBuilder::add_hub() {
+  const Eigen::Vector2d root = profile(0);
+  const double width = 2 * root.x(), thickness = tether_.hub_thickness;
+  const auto moment = [&](double a, double b) { return tether_.hub_mass / 12 * (a * a + b * b); };
+  pocket_.hub = pocket_.model.add_body(
+      {.name = "hub",
+       .role = BodyRole::other,
+       .shape = Box{{width, thickness, width}},
+       .mass = tether_.hub_mass,
+       .inertia =
+           Eigen::Vector3d(moment(width, thickness), moment(width, width), moment(width, thickness)).asDiagonal(),
+       .state = {.position = {0, root.y() + 0.5 * thickness, 0}},
+       .touches_cables = false});
+  pocket_.model.locks = {{pocket_.spacecraft, pocket_.hub}};
+}
+
+// Folded free of stress between the spacecraft's face and the hub (thrown_net.h).
+void PocketBuilder::add_tether() {
+  Model& model = pocket_.model;
+  const SpacecraftParameters& craft = scenario_.spacecraft;
+  const Eigen::Vector3d face = craft.position + Eigen::Vector3d(0, 0.5 * craft.size.y(), 0);
+  const Eigen::Vector3d far_side(0, profile(0).y() + tether_.hub_thickness, 0);
+  const Eigen::Vector3d eye = face + 0.1 * (far_side - face);
+  const Eigen::Vector3d slope = (far_side - eye) / tether_.length;
+  CableMaterial without_contact = cord_material(tether_.cord);
+  without_contact.radius = 0;  // folded, it would touch itself all over
+  const std::int32_t material = model.add_material(without_contact), thread = model.add_thread("tether");
+  const auto add_point = [&](int i) {
+    const double part = static_cast<double>(i) / tether_.elements;
+    const std::int32_t node = model.add_node((1 - part) * eye + part * far_side);
+    return std::pair(node, model.add_gradient(node, slope));
+  };
+  auto [node, gradient] = add_point(0);
+  const std::int32_t first = node;
+  for (int i = 1; i <= tether_.elements; ++i) {
+    const auto [next, next_gradient] = add_point(i);
+    pocket_.tether.push_back(model.add_element({.node1 = node,
+                                                .gradient1 = gradient,
+                                                .node2 = next,
+                                                .gradient2 = next_gradient,
+                                                .length = tether_.length / tether_.elements,
+                                                .material = material,
+                                                .group = static_cast<std::int32_t>(pocket_groups().size()),
+                                                .thread = thread}));
+    node = next;
+    gradient = next_gradient;
+  }
+  for (const auto& [end, body] : {std::pair(first, pocket_.spacecraft), {node, pocket_.hub}}) {
+    model.nodes[static_cast<std::size_t>(end)].support = Support::body;
+    model.nodes[static_cast<std::size_t>(end)].body = body;
+  }
 }
 
 void PocketBuilder::add_rods() {
@@ -153,7 +214,7 @@ void PocketBuilder::add_rods() {
   Model& model = pocket_.model;
   for (int sector = 0; sector < sectors_.sectors(); ++sector) {
     model.clamp_to_body(sectors_.node(root_, sector), sectors_.gradient(lower_.gradients.front(), sector),
-                        pocket_.spacecraft);
+                        pocket_.base());
     const std::int32_t below = sectors_.gradient(lower_.gradients.back(), sector);
     const std::int32_t above = sectors_.gradient(upper_.gradients.front(), sector);
     const Eigen::Vector3d t1 = model.gradients[below].value, t2 = model.gradients[above].value;
@@ -165,7 +226,7 @@ void PocketBuilder::add_rods() {
     cross << 0, -n.z(), n.y(), n.z(), 0, -n.x(), -n.y(), n.x(), 0;
     const Eigen::Matrix3d along = n * n.transpose();
     model.hinges.push_back({below, above, cosine * (Eigen::Matrix3d::Identity() - along) + sine * cross + along,
-                            pocket_.spacecraft, scenario_.rods.hinge_stiffness, scenario_.rods.hinge_damping});
+                            pocket_.base(), scenario_.rods.hinge_stiffness, scenario_.rods.hinge_damping});
     model.nodes[sectors_.node(upper_rows_.back(), sector)].point_mass = scenario_.rods.tip_mass;
   }
 }
@@ -256,6 +317,7 @@ void PocketBuilder::finish_structure() {
   model.gradients.shrink_to_fit();
   model.elements.shrink_to_fit();
   model.element_groups = pocket_groups();
+  if (pocket_.hub >= 0) model.element_groups.push_back({"tether", "the tether", CableLook::rope});
   const auto add_group = [&](const char* name, NodeLook look, SectorIndex node) {
     NodeGroup group{name, look, {}};
     for (int sector = 0; sector < sectors_.sectors(); ++sector) group.nodes.push_back(sectors_.node(node, sector));

@@ -27,7 +27,11 @@ struct Pocket {
   Structure structure;          // of `model`
   std::int32_t spacecraft = 0;  // index of the body; likewise `target`
   std::int32_t target = 1;
+  std::int32_t hub = -1;             // body on which the rods stand and that the spacecraft lets go; -1: the spacecraft
+  std::vector<std::int32_t> tether;  // elements, from the spacecraft to the hub
   std::vector<RodMaterial> rod_materials;  // first those of all rods, below and above the kinks
+
+  std::int32_t base() const { return hub >= 0 ? hub : spacecraft; }  // on which the rods stand
 };
 
 // The scenario must pass check_scenario. Throws std::runtime_error with one sentence when the target's mesh file has

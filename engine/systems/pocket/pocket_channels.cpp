@@ -42,8 +42,7 @@ const RopeMotion& shortest_rope(const CableSystem& system, std::size_t ropes) {
 
 }  // namespace
 
-PocketChannels::PocketChannels(const Pocket& pocket)
-    : spacecraft_(pocket.spacecraft), target_(pocket.target), interior_(pocket) {
+PocketChannels::PocketChannels(const Pocket& pocket) : base_(pocket.base()), target_(pocket.target), interior_(pocket) {
   for (std::size_t i = 0; i < pocket.structure.elements.size(); ++i) {
     const std::int32_t group = pocket.structure.elements[i].group;
     if (group == index_of(PocketGroup::net)) net_.push_back(static_cast<std::int32_t>(i));
@@ -52,7 +51,7 @@ PocketChannels::PocketChannels(const Pocket& pocket)
 }
 
 bool PocketChannels::target_is_inside(const Snapshot& snapshot) const {
-  return interior_.contains_target(snapshot.bodies[static_cast<std::size_t>(spacecraft_)],
+  return interior_.contains_target(snapshot.bodies[static_cast<std::size_t>(base_)],
                                    snapshot.bodies[static_cast<std::size_t>(target_)],
                                    [&](std::int32_t node) -> Eigen::Vector3d { return snapshot.positions.col(node); });
 }

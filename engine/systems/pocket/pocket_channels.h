@@ -20,7 +20,7 @@ class PocketChannels {
   bool target_is_inside(const Snapshot& snapshot) const;
   void fill_tensions(Snapshot& snapshot) const;
 
-  std::int32_t spacecraft_, target_;
+  std::int32_t base_, target_;  // bodies; base_: on which the rods stand
   PocketInterior interior_;
   std::vector<std::int32_t> net_, closing_ropes_;  // elements
 };

@@ -27,6 +27,7 @@ PocketEvents::PocketEvents(const Scenario& scenario, const Pocket& pocket)
       closing_duration_(duration_of(scenario.closing, open_tip_distance(scenario))),
       open_length_(open_tip_distance(scenario)),
       spacecraft_(pocket.spacecraft),
+      base_(pocket.base()),
       target_(pocket.target),
       interior_(pocket),
       contact_(pocket.target),
@@ -71,7 +72,8 @@ bool PocketEvents::closing_begins(const Measurements& measurements) const {
   const BodyState craft = measurements.body(spacecraft_), target = measurements.body(target_);
   if (closing_.starts_at == ClosingStart::distance)
     return symmetric_norm(Eigen::Vector3d(target.position - craft.position)) <= closing_.distance;
-  return interior_.contains_target(craft, target, [&](std::int32_t node) { return measurements.node(node); });
+  return interior_.contains_target(measurements.body(base_), target,
+                                   [&](std::int32_t node) { return measurements.node(node); });
 }
 
 void PocketEvents::update(const Measurements& measurements, double /*interval*/, Commands& /*commands*/) {

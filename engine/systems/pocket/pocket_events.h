@@ -35,7 +35,7 @@ class PocketEvents : public Controller {
   TowingParameters towing_;
   double closing_duration_;  // s
   double open_length_;       // m
-  std::int32_t spacecraft_, target_;
+  std::int32_t spacecraft_, base_, target_;
   PocketInterior interior_;
   ContactForce contact_;
   std::shared_ptr<CaptureTimes> times_;

@@ -16,6 +16,7 @@
 #include "engine/systems/pocket/pocket.h"
 #include "engine/systems/pocket/pocket_channels.h"
 #include "engine/systems/pocket/pocket_events.h"
+#include "engine/systems/pocket/tether_release.h"
 
 namespace netpocket {
 namespace {
@@ -48,20 +49,23 @@ Kind* add_controller(CaptureSystem& system, Arguments&&... arguments) {
 
 // The channels of a pocket, and those of its control.
 void add_channels(CaptureSystem& system, const PocketChannels& channels, const ControlChannels& control,
-                  const LoopChannels& loops) {
-  if (control.infos().empty() && loops.infos().empty()) {
+                  const LoopChannels& loops, const TetherChannels& tether) {
+  if (control.infos().empty() && loops.infos().empty() && tether.infos().empty()) {
     system.fill_channels = [channels](const CableSystem& cables, Snapshot& out) { channels.fill(cables, out); };
     return;
   }
   std::vector<ChannelInfo> infos(known_channels()->begin(), known_channels()->end());
   infos.insert(infos.end(), loops.infos().begin(), loops.infos().end());
+  const std::size_t first_of_tether = infos.size();
+  infos.insert(infos.end(), tether.infos().begin(), tether.infos().end());
   infos.insert(infos.end(), control.infos().begin(), control.infos().end());
   system.structure.channels = std::make_shared<const ChannelList>(std::move(infos));
   system.structure.loops = loops.loops();
-  system.fill_channels = [channels, control, loops](const CableSystem& cables, Snapshot& out) {
+  system.fill_channels = [=](const CableSystem& cables, Snapshot& out) {
     channels.fill(cables, out);
     loops.fill(out);
     control.fill(out);
+    tether.fill(cables, first_of_tether, out);
   };
 }
 
@@ -89,6 +93,7 @@ CaptureSystem build(const Scenario& scenario) {
     loop = add_controller<ClosedLoop>(system, scenario, controlled_craft(scenario, pocket.model), times,
                                       pocket.spacecraft, pocket.target);
   }
+  if (pocket.hub >= 0) add_controller<TetherRelease>(system, scenario, pocket.hub, times);
   const PocketChannels channels(pocket);
   system.spacecraft = pocket.spacecraft;
   system.target = pocket.target;
@@ -97,7 +102,8 @@ CaptureSystem build(const Scenario& scenario) {
   const Deflation* deflation =
       scenario.deflation.starts_at == DeflationStart::never ? nullptr : &materials->deflation();
   add_channels(system, channels, ControlChannels(loop, winches, deflation, events, pocket.spacecraft),
-               LoopChannels(scenario, loop, winches, disturbances, pocket.spacecraft, pocket.target));
+               LoopChannels(scenario, loop, winches, disturbances, pocket.spacecraft, pocket.target),
+               TetherChannels(pocket));
   system.model = std::move(pocket.model);
   return system;
 }
