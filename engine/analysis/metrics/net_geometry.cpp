@@ -18,6 +18,12 @@ std::vector<std::int32_t> elements_with(const Structure& structure, const Condit
   return found;
 }
 
+// The line on which a net is towed is neither its cord nor its mouth's edge.
+bool is_of_net(const Structure& structure, const StructureElement& element) {
+  return is_cord_or_rope(structure, element) &&
+         structure.element_groups[static_cast<std::size_t>(element.group)].name != "tether";
+}
+
 double current_length(const StructureElement& element, const Snapshot& snapshot) {
   if (element.rope < 0) return element.length;
   return snapshot.rope_element_length[static_cast<std::size_t>(element.rope)];
@@ -77,18 +83,19 @@ std::vector<CordSegment> cord_segments(const Structure& structure, const Snapsho
 }
 
 std::vector<std::int32_t> net_elements(const Structure& structure) {
-  return elements_with(structure, [&](const StructureElement& e) { return is_cord_or_rope(structure, e); });
+  return elements_with(structure, [&](const StructureElement& e) { return is_of_net(structure, e); });
 }
 
 std::vector<std::int32_t> rope_elements(const Structure& structure) {
-  return elements_with(structure, [&](const StructureElement& e) { return structure.look_of(e) == CableLook::rope; });
+  return elements_with(structure, [&](const StructureElement& e) {
+    return is_of_net(structure, e) && structure.look_of(e) == CableLook::rope;
+  });
 }
 
 std::vector<std::int32_t> net_nodes(const Structure& structure) {
   std::vector<std::int32_t> nodes;
   for (const StructureElement& element : structure.elements) {
-    if (is_cord_or_rope(structure, element))
-      nodes.insert(nodes.end(), std::begin(element.node), std::end(element.node));
+    if (is_of_net(structure, element)) nodes.insert(nodes.end(), std::begin(element.node), std::end(element.node));
   }
   std::ranges::sort(nodes);
   nodes.erase(std::ranges::unique(nodes).begin(), nodes.end());

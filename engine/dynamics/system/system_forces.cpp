@@ -185,10 +185,10 @@ void SystemForces::add_lines() {
     const std::int32_t first = state_.layout.position(line.node1), second = state_.layout.position(line.node2);
     const LineForces pull = line_forces(line, state_.coordinates.get(second) - state_.coordinates.get(first),
                                         state_.velocities.get(second) - state_.velocities.get(first));
+    line_power_ += pull.dissipated_power;  // also where the damper takes all that the spring gives
     if (pull.tension == 0) continue;
     applied_.add(first, pull.on_node1);
     applied_.add(second, -pull.on_node1);
-    line_power_ += pull.dissipated_power;
   }
 }
 
