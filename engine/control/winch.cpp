@@ -13,6 +13,8 @@ const WinchSettings& checked_winch(const WinchSettings& settings, double length)
     throw std::invalid_argument("a winch needs a positive drum radius and drum inertia");
   if (!(settings.most_torque >= 0 && settings.brake_torque >= 0 && settings.fastest >= 0))
     throw std::invalid_argument("the limits of a winch must not be negative");
+  if (!(settings.slip_tension >= 0) || !(length <= settings.most_length))
+    throw std::invalid_argument("a winch needs a clutch that holds, and no more rope outside than it has");
   if (!is_positive(settings.least_length) || !(length >= settings.least_length))
     throw std::invalid_argument("the rope of a winch must not be shorter than its least length");
   return settings;
@@ -56,14 +58,16 @@ double Winch::motor_force(double tension, double dt) {
 double Winch::stopped_rate(double rate, double dt) const {
   if (jammed_) return 0;
   if (command_.brake) {
-    const double grip = settings_.brake_torque / settings_.drum_radius * dt / mass_;
+    const double brake = std::min(settings_.brake_torque / settings_.drum_radius, settings_.slip_tension);
+    const double grip = brake * dt / mass_;
     rate -= std::clamp(rate, -grip, grip);
   }
+  rate = std::min(rate, (settings_.most_length - motion_.length) / dt);
   return std::max(rate, (settings_.least_length - motion_.length) / dt);
 }
 
 const RopeMotion& Winch::step(double tension, double measured, double dt) {
-  force_ = jammed_ ? 0 : motor_force(measured, dt);
+  force_ = jammed_ ? 0 : std::clamp(motor_force(measured, dt), -settings_.slip_tension, settings_.slip_tension);
   const double before = motion_.rate;
   const double driven = before + dt * (tension - force_) / mass_;
   const double after = stopped_rate(driven, dt);
@@ -72,7 +76,8 @@ const RopeMotion& Winch::step(double tension, double measured, double dt) {
   motor_work_ += power_ * dt;
   rope_work_ += tension * mean * dt;
   losses_ += mass_ * (driven - after) * mean;
-  motion_ = {std::max(motion_.length + dt * after, settings_.least_length), after, (after - before) / dt};
+  const double length = std::min(motion_.length + dt * after, settings_.most_length);
+  motion_ = {std::max(length, settings_.least_length), after, (after - before) / dt};
   last_tension_ = measured;
   started_ = true;
   return motion_;

@@ -18,6 +18,7 @@
 // brake and of stops. Each is summed by its own law, with the mean rate of a step.
 
 #include <cstdint>
+#include <limits>
 
 #include "engine/control/pid.h"
 #include "engine/control/visited_numbers.h"
@@ -39,6 +40,10 @@ struct WinchSettings {
   double tension_derivative = 0;  // D_T, m/N
   double slack_tension = 0;       // N, a rope with no more is slack
   double take_up_rate = 0;        // m/s
+  // N: the drum's clutch transmits no more of the motor's and the brake's force to the rope.
+  double slip_tension = std::numeric_limits<double>::infinity();
+  // m, of rope outside when the drum is empty; it stops there.
+  double most_length = std::numeric_limits<double>::infinity();
 };
 
 enum class WinchMode : std::uint8_t { torque, rate, length, tension };

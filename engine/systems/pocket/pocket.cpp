@@ -70,6 +70,7 @@ class PocketBuilder {
   void add_bodies();
   void add_hub();
   void add_tether();
+  void add_wound_tether(const Eigen::Vector3d& eye, const Eigen::Vector3d& far_side, const CableSection& section);
   void add_rods();
   void add_lower_net();
   void add_upper_net();
@@ -140,6 +141,27 @@ void PocketBuilder::add_hub() {
   pocket_.model.locks = {{pocket_.spacecraft, pocket_.hub}};
 }
 
+// A line without inertia, whose drum is at its first end.
+void PocketBuilder::add_wound_tether(const Eigen::Vector3d& eye, const Eigen::Vector3d& far_side,
+                                     const CableSection& section) {
+  Model& model = pocket_.model;
+  RingRope rope{.nodes = {},
+                .lengths = {tether_.length},
+                .stiffness = section.EA,
+                .damping = section.axial_damping,
+                .least_part = tether_.least_length,
+                .share_at_start = 1};
+  for (const auto& [place, body] : {std::pair(eye, pocket_.spacecraft), {far_side, pocket_.hub}}) {
+    const std::int32_t node = model.add_node(place);
+    rope.nodes.push_back(node);
+    ModelNode& end = model.nodes.back();
+    end.support = Support::body;
+    end.body = body;
+    end.point_mass = 0.5 * section.mass_per_length * (tether_.length + tether_.reserve);
+  }
+  model.ring_ropes.push_back(std::move(rope));
+}
+
 // Folded free of stress between the spacecraft's face and the hub (thrown_net.h).
 void PocketBuilder::add_tether() {
   Model& model = pocket_.model;
@@ -149,6 +171,7 @@ void PocketBuilder::add_tether() {
   const Eigen::Vector3d eye = face + 0.1 * (far_side - face);
   const Eigen::Vector3d slope = (far_side - eye) / tether_.length;
   CableMaterial without_contact = cord_material(tether_.cord);
+  if (tether_.has_winch) return add_wound_tether(eye, far_side, without_contact.section);
   without_contact.radius = 0;  // folded, it would touch itself all over
   const std::int32_t material = model.add_material(without_contact), thread = model.add_thread("tether");
   const auto add_point = [&](int i) {

@@ -17,6 +17,7 @@
 #include "engine/systems/pocket/pocket_channels.h"
 #include "engine/systems/pocket/pocket_events.h"
 #include "engine/systems/pocket/tether_release.h"
+#include "engine/systems/pocket/tether_winch.h"
 
 namespace netpocket {
 namespace {
@@ -94,6 +95,9 @@ CaptureSystem build(const Scenario& scenario) {
                                       pocket.spacecraft, pocket.target);
   }
   if (pocket.hub >= 0) add_controller<TetherRelease>(system, scenario, pocket.hub, times);
+  if (!pocket.model.ring_ropes.empty()) {
+    add_controller<TetherWinch>(system, scenario, static_cast<std::int32_t>(pocket.model.ropes.size()), pocket.hub);
+  }
   const PocketChannels channels(pocket);
   system.spacecraft = pocket.spacecraft;
   system.target = pocket.target;

@@ -21,8 +21,14 @@ TetherChannels::TetherChannels(const Pocket& pocket)
     : hub_(pocket.hub), target_(pocket.target), tether_(pocket.tether) {
   if (hub_ < 0) return;
   const auto element = [&](std::int32_t index) { return pocket.model.elements[static_cast<std::size_t>(index)]; };
-  eye_ = element(tether_.front()).node1;
-  far_end_ = element(tether_.back()).node2;
+  if (tether_.empty()) {
+    rope_ = static_cast<std::int32_t>(pocket.model.ropes.size());
+    eye_ = pocket.model.ring_ropes.front().nodes.front();
+    far_end_ = pocket.model.ring_ropes.front().nodes.back();
+  } else {
+    eye_ = element(tether_.front()).node1;
+    far_end_ = element(tether_.back()).node2;
+  }
   // In the order of `fill`.
   infos_ = {{"hub_held", "1", "1 while the spacecraft holds the hub on which the rods stand"},
             {"tether_tension", "N", "tension of the tether at the spacecraft"},
@@ -30,6 +36,9 @@ TetherChannels::TetherChannels(const Pocket& pocket)
             {"hub_spin", "rad/s", "angular speed of the hub"},
             {"target_hub_distance", "m", "distance of the target's centre from the hub"},
             {"target_hub_speed", "m/s", "speed of the target's centre against the hub"}};
+  if (rope_ < 0) return;
+  infos_.push_back({"tether_length", "m", "length of the tether outside its drum"});
+  infos_.push_back({"tether_rate", "m/s", "rate at which the drum pays out"});
 }
 
 void TetherChannels::fill(const CableSystem& system, std::size_t first, Snapshot& snapshot) const {
@@ -38,11 +47,14 @@ void TetherChannels::fill(const CableSystem& system, std::size_t first, Snapshot
   const BodyState& target = snapshot.bodies[static_cast<std::size_t>(target_)];
   auto out = snapshot.channels.begin() + static_cast<std::ptrdiff_t>(first);
   *out++ = system.is_held(hub_) ? 1 : 0;
-  *out++ = snapshot.tension[tether_.front()] + 0.0;  // a slack one has -0
+  *out++ = rope_ >= 0 ? system.rope_tension(rope_) : snapshot.tension[tether_.front()] + 0.0;  // a slack one has -0
   *out++ = (snapshot.positions.col(far_end_) - snapshot.positions.col(eye_)).norm();
   *out++ = hub.angular_velocity.norm();
   *out++ = (target.position - hub.position).norm();
   *out++ = (target.velocity - hub.velocity).norm();
+  if (rope_ < 0) return;
+  *out++ = system.rope_motion(rope_).length;
+  *out++ = system.rope_motion(rope_).rate;
 }
 
 }  // namespace netpocket

@@ -41,7 +41,8 @@ class TetherChannels {
  private:
   std::vector<ChannelInfo> infos_;
   std::int32_t hub_, target_;
-  std::vector<std::int32_t> tether_;      // elements
+  std::vector<std::int32_t> tether_;      // elements; empty: it is wound
+  std::int32_t rope_ = -1;                // then, as the model numbers ropes
   std::int32_t eye_ = -1, far_end_ = -1;  // nodes
 };
 

@@ -53,6 +53,34 @@ TEST(Winch, WindsAMassAsItsEquationsSay) {
   }
 }
 
+// m L'' = T for a drum without motor and brake; the clutch lets T - slip through a brake that would hold more, and a
+// drum that has paid out all of its rope stops.
+TEST(Winch, ClutchSlipsAndRopeEnds) {
+  constexpr double kStep = 1e-4, kTension = 30, kSlip = 20;
+  Winch idle(test_winch(), 5);
+  idle.command({.mode = WinchMode::torque, .value = 0});
+  WinchSettings settings = test_winch();
+  settings.slip_tension = kSlip;
+  settings.most_length = 6;
+  Winch braked(settings, 5);
+  braked.command({.brake = true});
+  for (int i = 0; i < 1000; ++i) {
+    idle.step(kTension, kStep);
+    braked.step(0.99 * kSlip, kStep);
+  }
+  EXPECT_NEAR(idle.motion().rate, kTension / kDrumMass * 0.1, 1e-12);
+  EXPECT_NEAR(idle.motion().length, 5 + 0.5 * kTension / kDrumMass * 0.01, 1e-4);
+  EXPECT_EQ(braked.motion().length, 5) << "held below the clutch's limit, though the brake could bear 2000 N";
+  for (int i = 0; i < 1000; ++i) braked.step(kTension, kStep);
+  EXPECT_NEAR(braked.motion().rate, (kTension - kSlip) / kDrumMass * 0.1, 1e-12);
+  EXPECT_NEAR(braked.losses(), kSlip * (braked.motion().length - 5), 1e-3);
+  for (int i = 0; i < 20000; ++i) braked.step(kTension, kStep);
+  EXPECT_EQ(braked.motion().length, 6);
+  EXPECT_NEAR(braked.rope_work(), braked.losses() + braked.kinetic_energy(), 1e-9);
+  settings.most_length = 4;
+  EXPECT_THROW(Winch(settings, 5), std::invalid_argument);
+}
+
 // Work and energy: motor + rope = kinetic + losses, in every mode, braked, jammed and at the least length.
 TEST(Winch, EnergyBalances) {
   WinchSettings settings = test_winch();

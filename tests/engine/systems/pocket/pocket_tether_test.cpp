@@ -88,6 +88,54 @@ TEST(PocketTether, ReleaseKeepsMomentum) {
   EXPECT_LT(largest, 0.02 * moved) << "but for the mass that flows in the closing ropes";
 }
 
+// A drum of the mass m = J/r^2 is caught up at the speed v by a line of the stiffness k: beyond the tension at which
+// its clutch slips there is v sqrt(k m) at most, until the drum runs as fast as the line.
+TEST(PocketTether, ClutchOfItsWinchLimitsTheJerk) {
+  constexpr double kSlip = 60;
+  const std::string winch = "winch = true\ndrive = \"brake\"\nslip_tension = 60\nreserve = 5\n";
+  std::string text = kTow;
+  text.insert(text.find("released_at"), winch);
+  const Scenario scenario = tethered(text);
+  const PocketTether tether = pocket_tether(scenario);
+  const Model model = build_capture_system(scenario).model;
+  ASSERT_EQ(model.ring_ropes.size(), 1u);
+  const double stiffness = model.ring_ropes[0].stiffness / tether.length;
+  const double drum = tether.drum_inertia / (tether.drum_radius * tether.drum_radius);
+  Simulation simulation(scenario);
+  ASSERT_EQ(simulation.advance(2.45).reason, RunReason::finished);
+  EXPECT_EQ(channel_of(simulation.snapshot(), "tether_length"), 1);
+  double speed = 0, largest = 0, longest = 0;
+  bool is_taut = false;
+  for (double time = 3.5; time < 6; time += 0.002) {
+    ASSERT_EQ(simulation.advance(time).reason, RunReason::finished);
+    const Snapshot towed = simulation.snapshot();
+    is_taut = is_taut || channel_of(towed, "tether_tension") > 0;
+    if (!is_taut) speed = (towed.bodies[0].velocity - towed.bodies[2].velocity).norm();
+    largest = std::max(largest, channel_of(towed, "tether_tension"));
+    longest = std::max(longest, channel_of(towed, "tether_length"));
+  }
+  EXPECT_GT(largest, kSlip);
+  EXPECT_LT(largest, kSlip + 1.1 * speed * std::sqrt(stiffness * drum));
+  EXPECT_GT(longest, 1.02) << "it has slipped";
+  const Snapshot end = simulation.snapshot();
+  EXPECT_LT(std::abs(channel_of(end, "energy_error")),
+            0.02 * (channel_of(end, "energy_dissipated") + channel_of(end, "energy_kinetic")));
+}
+
+// Reeled in at a given rate once it is let go, then braked: the length stays.
+TEST(PocketTether, WinchReelsInAndHolds) {
+  Simulation simulation(
+      tethered("[tether]\nattached = true\nreleased_at = \"time\"\nrelease_time = 2.1\nlength = 3\nwinch = true\n"
+               "drive = \"rate\"\nrate = -0.4\nbrake_at = 4\n[towing]\nmode = \"none\"\n"));
+  ASSERT_EQ(simulation.advance(3.9).reason, RunReason::finished);
+  EXPECT_NEAR(channel_of(simulation.snapshot(), "tether_rate"), -0.4, 1e-3);
+  ASSERT_EQ(simulation.advance(4.2).reason, RunReason::finished);
+  const double held = channel_of(simulation.snapshot(), "tether_length");
+  EXPECT_NEAR(held, 3 - 0.4 * 1.9, 0.02);
+  ASSERT_EQ(simulation.advance(5).reason, RunReason::finished);
+  EXPECT_EQ(channel_of(simulation.snapshot(), "tether_length"), held);
+}
+
 TEST(PocketTether, WithoutItThePocketIsAsEver) {
   const Pocket pocket = build_pocket(tethered(""));
   EXPECT_EQ(pocket.hub, -1);
