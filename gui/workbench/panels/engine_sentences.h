@@ -397,6 +397,7 @@ inline constexpr auto kEngineSentences = std::to_array<const char*>({
     QT_TRANSLATE_NOOP("engine", "tether"),
     QT_TRANSLATE_NOOP("engine", "spacecraft"),
     QT_TRANSLATE_NOOP("engine", "target"),
+    QT_TRANSLATE_NOOP("engine", "hub"),
     QT_TRANSLATE_NOOP("engine", "corner mass %1"),
 });
 

@@ -1917,6 +1917,10 @@
         <source>about %1 of %2 captures drawn</source>
         <translation>绘出 %2 次捕获中的约 %1 次</translation>
     </message>
+    <message>
+        <source>hub</source>
+        <translation>中心盘</translation>
+    </message>
 </context>
 <context>
     <name>netpocket::AboutDialog</name>
@@ -7198,6 +7202,224 @@
         <source>number of steps after which a run ends, wherever it is; 0: no limit. For campaigns, where a capture now and then takes a thousand times as long as the others</source>
         <translation>仿真在达到该步数后结束，无论进行到何处；0：无上限。用于批量仿真，其中偶尔有一次捕获所需时间是其他捕获的上千倍</translation>
     </message>
+    <message>
+        <source>A hub with the rods that the spacecraft lets go, and the line on which it tows.</source>
+        <translation>承载充气杆、由服务航天器释放的中心盘，以及拖曳它的系绳。</translation>
+    </message>
+    <message>
+        <source>the rods stand on a hub, which the spacecraft lets go and tows on a tether</source>
+        <translation>充气杆立在中心盘上；服务航天器释放中心盘并用系绳拖曳</translation>
+    </message>
+    <message>
+        <source>Released at</source>
+        <translation>释放时机</translation>
+    </message>
+    <message>
+        <source>when the spacecraft lets the hub go. time: at tether.release_time; closed: tether.release_delay after the end of the closing</source>
+        <translation>服务航天器何时释放中心盘。time：在 tether.release_time；closed：收口结束后经过 tether.release_delay</translation>
+    </message>
+    <message>
+        <source>Release time</source>
+        <translation>释放时间</translation>
+    </message>
+    <message>
+        <source>for released_at = &quot;time&quot;</source>
+        <translation>用于 released_at = &quot;time&quot;</translation>
+    </message>
+    <message>
+        <source>Release delay</source>
+        <translation>释放延迟</translation>
+    </message>
+    <message>
+        <source>for released_at = &quot;closed&quot;</source>
+        <translation>用于 released_at = &quot;closed&quot;</translation>
+    </message>
+    <message>
+        <source>from the spacecraft&apos;s +y face to the hub</source>
+        <translation>从服务航天器的 +y 面到中心盘</translation>
+    </message>
+    <message>
+        <source>published set-up of a thrown net</source>
+        <translation>已发表的飞网设置</translation>
+    </message>
+    <message>
+        <source>assumption: braided polyester</source>
+        <translation>假设：编织涤纶</translation>
+    </message>
+    <message>
+        <source>Winch</source>
+        <translation>绞车</translation>
+    </message>
+    <message>
+        <source>the tether is wound by a drum on the spacecraft; it is then a line without inertia that is not drawn, and half of its mass stays at either end</source>
+        <translation>系绳由服务航天器上的卷筒收放；此时它是一条没有惯性、不绘出的线，其质量两端各占一半</translation>
+    </message>
+    <message>
+        <source>brake: the drum is held, but for its clutch; rate: pays out by tether.rate; tension: keeps tether.tension</source>
+        <translation>brake：卷筒被制动，仅离合器可打滑；rate：按 tether.rate 放出；tension：保持 tether.tension</translation>
+    </message>
+    <message>
+        <source>for drive = &quot;rate&quot;; negative: reels in</source>
+        <translation>用于 drive = &quot;rate&quot;；负值为收回</translation>
+    </message>
+    <message>
+        <source>for drive = &quot;tension&quot;</source>
+        <translation>用于 drive = &quot;tension&quot;</translation>
+    </message>
+    <message>
+        <source>Slip tension</source>
+        <translation>打滑张力</translation>
+    </message>
+    <message>
+        <source>tension at which the drum&apos;s clutch slips, braked or driven</source>
+        <translation>卷筒离合器打滑时的张力，制动或驱动时均如此</translation>
+    </message>
+    <message>
+        <source>Brake at</source>
+        <translation>制动时间</translation>
+    </message>
+    <message>
+        <source>from when on the drum is braked for good</source>
+        <translation>从此时起卷筒一直被制动</translation>
+    </message>
+    <message>
+        <source>radius of the drum</source>
+        <translation>卷筒半径</translation>
+    </message>
+    <message>
+        <source>moment of inertia of all that turns with the drum</source>
+        <translation>随卷筒转动的所有部件的转动惯量</translation>
+    </message>
+    <message>
+        <source>Motor torque</source>
+        <translation>电机力矩</translation>
+    </message>
+    <message>
+        <source>largest torque of its motor</source>
+        <translation>其电机的最大力矩</translation>
+    </message>
+    <message>
+        <source>largest rate that its motor aims at</source>
+        <translation>其电机的最大目标速率</translation>
+    </message>
+    <message>
+        <source>Reserve</source>
+        <translation>储备长度</translation>
+    </message>
+    <message>
+        <source>tether on the drum at the start, besides tether.length</source>
+        <translation>开始时卷筒上的系绳长度，不含 tether.length</translation>
+    </message>
+    <message>
+        <source>Least length</source>
+        <translation>最短长度</translation>
+    </message>
+    <message>
+        <source>at which the drum stops reeling in</source>
+        <translation>卷筒在此长度停止收回</translation>
+    </message>
+    <message>
+        <source>Hub mass</source>
+        <translation>中心盘质量</translation>
+    </message>
+    <message>
+        <source>mass of the hub, a plate as wide as the rods&apos; roots</source>
+        <translation>中心盘的质量；它是与充气杆根部同宽的板</translation>
+    </message>
+    <message>
+        <source>Hub thickness</source>
+        <translation>中心盘厚度</translation>
+    </message>
+    <message>
+        <source>thickness of that plate</source>
+        <translation>该板的厚度</translation>
+    </message>
+    <message>
+        <source>Passage</source>
+        <translation>穿绳方式</translation>
+    </message>
+    <message>
+        <source>even: the drawstring is the perimeter&apos;s cord and stays evenly spread over its knots; rings: it runs along the perimeter&apos;s own cord through rings at its knots, with friction</source>
+        <translation>even：束口绳就是周边的网绳，并均匀分布在各结点之间；rings：束口绳沿周边网绳穿过结点处的环，有摩擦</translation>
+    </message>
+    <message>
+        <source>Ring friction</source>
+        <translation>环的摩擦</translation>
+    </message>
+    <message>
+        <source>coefficient of friction mu at a ring, where one tension is at most exp(mu angle) times the other</source>
+        <translation>环处的摩擦系数 mu，一侧张力至多为另一侧的 exp(mu 角度) 倍</translation>
+    </message>
+    <message>
+        <source>published friction of net on net, static</source>
+        <translation>已发表的网与网之间的静摩擦</translation>
+    </message>
+    <message>
+        <source>Ring angle</source>
+        <translation>环的包角</translation>
+    </message>
+    <message>
+        <source>angle by which the drawstring wraps each ring, besides the angle by which it turns there</source>
+        <translation>束口绳绕每个环的包角，不含它在该处转折的角度</translation>
+    </message>
+    <message>
+        <source>Ring spacing</source>
+        <translation>环间距</translation>
+    </message>
+    <message>
+        <source>drawstring that stays between two rings which are drawn together</source>
+        <translation>两个环收拢后其间仍保留的束口绳长度</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <comment>winch</comment>
+        <translation>驱动方式</translation>
+    </message>
+    <message>
+        <source>Tension</source>
+        <comment>winch</comment>
+        <translation>张力</translation>
+    </message>
+    <message>
+        <source>Drum radius</source>
+        <comment>winch</comment>
+        <translation>卷筒半径</translation>
+    </message>
+    <message>
+        <source>Drum inertia</source>
+        <comment>winch</comment>
+        <translation>卷筒惯量</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <comment>tether</comment>
+        <translation>驱动方式</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <comment>tether</comment>
+        <translation>速率</translation>
+    </message>
+    <message>
+        <source>Tension</source>
+        <comment>tether</comment>
+        <translation>张力</translation>
+    </message>
+    <message>
+        <source>Drum radius</source>
+        <comment>tether</comment>
+        <translation>卷筒半径</translation>
+    </message>
+    <message>
+        <source>Drum inertia</source>
+        <comment>tether</comment>
+        <translation>卷筒惯量</translation>
+    </message>
+    <message>
+        <source>Fastest</source>
+        <comment>tether</comment>
+        <translation>最大速率</translation>
+    </message>
 </context>
 <context>
     <name>scenarios</name>
@@ -7272,6 +7494,10 @@
     <message>
         <source>A satellite of 350 kg and 8.4 m from tip to tip that tumbles at about 10 degrees per second</source>
         <translation>350 kg、翼展 8.4 m 的卫星，以约每秒 10 度翻滚</translation>
+    </message>
+    <message>
+        <source>Closing in 5 s as in case 3; then the pocket is let go and towed on a tether of 10 m</source>
+        <translation>与工况 3 一样在 5 s 内收口；随后释放网袋，用 10 m 的系绳拖曳</translation>
     </message>
 </context>
 </TS>
