@@ -53,6 +53,7 @@ NewIndices reorder(Model& model, const ModelOrder& order) {
     renumber(line.node2, to.nodes);
   }
   for (VariableRope& rope : model.ropes) renumber(std::span(rope.elements), to.elements);
+  for (RingRope& rope : model.ring_ropes) renumber(std::span(rope.nodes), to.nodes);
   for (NodeGroup& group : model.node_groups) renumber(std::span(group.nodes), to.nodes);
   return to;
 }

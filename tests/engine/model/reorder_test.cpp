@@ -11,7 +11,7 @@
 namespace netpocket {
 namespace {
 
-// Two crossing cords, of which one is a rope, with a hinge, a line and a loose mass.
+// Two crossing cords, of which one is a rope, with a hinge, a line, a rope through a ring and a loose mass.
 Model crossing_cords() {
   Model model;
   model.add_material(
@@ -30,6 +30,8 @@ Model crossing_cords() {
                           .damping = 0.01});
   model.lines.push_back({.node1 = left, .node2 = top, .length = 1.4, .stiffness = 10, .damping = 0});
   model.ropes.push_back({.elements = up, .motion = {.length = 1, .rate = -0.05}});
+  model.ring_ropes.push_back(
+      {.nodes = {right, middle, top}, .lengths = {1, 1}, .stiffness = 100, .damping = 1e-3, .friction = 0.1});
   model.node_groups = {{"ends", NodeLook::reel, {left, right, top}}};
   model.fix_node(left);
   return model;
