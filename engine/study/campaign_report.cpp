@@ -84,8 +84,8 @@ std::string limit_of_bootstrap(const Study& study) {
   const StudySensitivity& sensitivity = study.sensitivity;
   if (sensitivity.method != SensitivityMethod::sobol || sensitivity.of != "captured") return "";
   return fmt::format(
-      "Intervals are those of a bootstrap over the {0} blocks. One from 0 to 0 means that the input changed the outcome "
-      "in no block, which leaves room for an index of {1:.2g} or so (3 of {0} blocks).\n\n",
+      "Intervals are those of a bootstrap over the {0} blocks. One from 0 to 0 means that the input changed the "
+      "outcome in no block, which leaves room for an index of {1:.2g} or so (3 of {0} blocks).\n\n",
       sensitivity.size, 6.0 / sensitivity.size);
 }
 
