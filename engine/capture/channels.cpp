@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <concepts>
+#include <string_view>
 
 namespace netpocket {
 namespace {
@@ -13,6 +14,10 @@ class Writer {
 
   void set(Channel channel, double value) {
     if (snapshot_.channel_list->has(channel)) snapshot_.channel(channel) = value;
+  }
+  // Of systems in orbit (systems/orbital_frame.h).
+  void set(std::string_view name, double value) {
+    if (const auto index = snapshot_.channel_list->find(name)) snapshot_.channels[*index] = value;
   }
   void set(Channel channel, std::integral auto count) { set(channel, static_cast<double>(count)); }
   void set(Channel x, Channel y, Channel z, const Eigen::Vector3d& value) {
@@ -48,6 +53,7 @@ void fill_energies(Writer& channels, const EnergyAudit& energy) {
   channels.set(Channel::spent_in_contacts, energy.spent.in_contacts);
   channels.set(Channel::spent_by_friction, energy.spent.by_friction);
   channels.set(Channel::energy_error, energy.error);
+  channels.set("energy_tidal", energy.tidal);
 }
 
 void fill_safeguards(Writer& channels, const SafeguardCounts& counts) {

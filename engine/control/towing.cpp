@@ -59,6 +59,11 @@ SpacecraftDrive::SpacecraftDrive(const TowingParameters& towing, StationKeeping 
   towing_ = with_times(towing_, 0);
 }
 
+void SpacecraftDrive::follow(const Orbit& orbit) {
+  orbit_.emplace(orbit);
+  first_axes_ = orbit_->local_axes(0);
+}
+
 // The towing as the events of the capture have it at the time `now` (s).
 TowingParameters SpacecraftDrive::with_times(TowingParameters towing, double now) const {
   if (!times_) return towing;
@@ -121,7 +126,8 @@ void SpacecraftDrive::hold(double time, const RigidMotion& craft, BodyControl& c
   if (control.hold_attitude) {
     attitude_.turn_on(time - last_step_, craft.angular_velocity, mean_angular_acceleration_);
     const double progress = part_changed(attitude_.begin, time);
-    for (int axis = 0; axis < 3; ++axis) control.spin[axis] = attitude_.at(axis, time, 0, progress);
+    const Eigen::Vector3d wanted = orbit_ ? orbit_->turning(time) : Eigen::Vector3d::Zero();
+    for (int axis = 0; axis < 3; ++axis) control.spin[axis] = attitude_.at(axis, time, wanted[axis], progress);
   }
   if (station_keeping_ != StationKeeping::lateral) return;
   lateral_.turn_on(time - last_step_, craft.velocity, mean_acceleration_);
@@ -143,6 +149,7 @@ void SpacecraftDrive::tow(double time, const RigidMotion& craft, BodyControl& co
     return;
   }
   control.force.y() = part_changed(changed_, time) * thrust(time - towing_.start);
+  if (orbit_) control.force = orbit_->local_axes(time) * (first_axes_.transpose() * control.force);
   control.point.x() = towing_.offset * cosine(towing_.offset_angle);
   control.point.z() = towing_.offset * sine(towing_.offset_angle);
 }

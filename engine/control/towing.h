@@ -9,6 +9,7 @@
 #include "engine/control/controller.h"
 #include "engine/control/gradual_change.h"
 #include "engine/dynamics/assembly/dynamic_body.h"
+#include "engine/orbit/reference_orbit.h"
 #include "engine/scenario/scenario.h"
 
 namespace netpocket {
@@ -25,6 +26,8 @@ namespace netpocket {
 // axis. Station keeping holds the attitude, or the attitude and the lateral position, at all times. A held attitude
 // takes up the moment of the offset thrust.
 //
+// In an orbit whose local axes the drive follows, the thrust along -Y turns with them, and so does a held attitude.
+//
 // Changes during a run cause no blow. A motion that becomes prescribed (velocity, attitude) starts from the present
 // velocity and acceleration. It reaches the wanted value within the towing's duration or, if it is held, within 0.5 s.
 // A motion that is no longer prescribed, and every other force, changes from the present force and moment within 0.5 s.
@@ -34,6 +37,9 @@ class SpacecraftDrive : public Controller {
   // first, takes the place of the scenario's, and at their end the towing ceases; null: the scenario's time.
   SpacecraftDrive(const TowingParameters& towing, StationKeeping station_keeping, double total_mass,
                   std::int32_t spacecraft = 0, std::shared_ptr<const CaptureTimes> times = nullptr);
+
+  // Follows the local axes of this orbit (orbit/reference_orbit.h) from now on.
+  void follow(const Orbit& orbit);
 
   void update(const Measurements& measurements, double interval, Commands& commands) override;
   void after_step(const Measurements& measurements, double dt) override;
@@ -78,8 +84,10 @@ class SpacecraftDrive : public Controller {
   double total_mass_;
   std::int32_t spacecraft_;
   std::shared_ptr<const CaptureTimes> times_;
-  double changed_ = -kChangeDuration;  // s, time of the last change
-  Wrench released_;                    // acted at changed_; fades to zero while the new control grows
+  std::optional<ReferenceOrbit> orbit_;                       // if its local axes are followed
+  Eigen::Matrix3d first_axes_ = Eigen::Matrix3d::Identity();  // the local axes at the start
+  double changed_ = -kChangeDuration;                         // s, time of the last change
+  Wrench released_;  // acted at changed_; fades to zero while the new control grows
   Guide tow_, lateral_, attitude_;
   // exerted_ is of the last step. The others are means over about kMemory: a single step would take the blow of a
   // contact for the motion.

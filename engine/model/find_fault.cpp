@@ -4,6 +4,7 @@
 #include <string>
 
 #include "engine/model/model.h"
+#include "engine/orbit/gravity.h"
 
 namespace netpocket {
 namespace {
@@ -28,7 +29,7 @@ class FaultSearch {
           &FaultSearch::in_ropes, &FaultSearch::in_ring_ropes, &FaultSearch::in_node_groups}) {
       if (Fault fault = (this->*search)()) return fault;
     }
-    return std::nullopt;
+    return in_orbit();
   }
 
  private:
@@ -206,6 +207,17 @@ class FaultSearch {
                  ? ""
                  : "has a rate or acceleration that is not finite";
     });
+  }
+
+  // A closed orbit has negative energy.
+  Fault in_orbit() const {
+    if (!model_.orbit) return std::nullopt;
+    const Orbit& orbit = *model_.orbit;
+    if (!are_perpendicular(orbit.x, orbit.y)) return "the axes of the orbit are parallel";
+    const double radius = orbit.position.norm(), square = orbit.velocity.squaredNorm();
+    const bool is_closed = radius > 0 && std::isfinite(radius) && 0.5 * square < kEarthMu / radius;
+    const bool has_plane = orbit.position.cross(orbit.velocity).squaredNorm() > 0;
+    return is_closed && has_plane ? std::nullopt : Fault("the orbit is not a closed one round the Earth");
   }
 
   Fault in_node_groups() const {

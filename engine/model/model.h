@@ -17,6 +17,7 @@
 
 #include "engine/ancf/cable_section.h"
 #include "engine/bodies/shape.h"
+#include "engine/orbit/reference_orbit.h"
 #include "engine/state/snapshot.h"
 #include "engine/state/structure.h"
 
@@ -166,6 +167,8 @@ struct Model {
   std::vector<RingRope> ring_ropes;  // a run numbers its ropes through: first `ropes`, then these
   ContactSettings contact;
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  // m/s^2
+  // The orbit of the world's origin: its tide acts on everything (orbit/reference_orbit.h). None: no tide.
+  std::optional<Orbit> orbit;
 
   // Each add function returns the index of what it added.
   std::int32_t add_node(const Eigen::Vector3d& position);

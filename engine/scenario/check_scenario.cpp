@@ -7,6 +7,7 @@
 #include <utility>
 #include <variant>
 
+#include "engine/scenario/check_orbit.h"
 #include "engine/scenario/check_times.h"
 #include "engine/scenario/parameter_text.h"
 #include "engine/scenario/system_parameters.h"
@@ -30,6 +31,7 @@ class Checker {
     if (!found_.ok()) return found_;
     if (has_table("spacecraft")) check_inertia("spacecraft.inertia", s_.spacecraft.inertia);
     check_output();
+    check_orbit(s_, found_);
     std::optional<Shape> target;
     if (has_table("target")) target = check_target();
     if (kind->check != nullptr) kind->check(s_, target ? &*target : nullptr, found_);

@@ -31,6 +31,12 @@ template <>
 constexpr std::array kNames<ClosingStart> = {"time"sv, "target_inside"sv, "distance"sv};
 template <>
 constexpr std::array kNames<TowingStart> = {"time"sv, "closed"sv};
+template <>
+constexpr std::array kNames<OrbitModel> = {"off"sv, "hill"sv, "two_body"sv, "two_body_j2"sv};
+template <>
+constexpr std::array kNames<OrbitAxes> = {"fixed"sv, "local"sv};
+template <>
+constexpr std::array kNames<LocalAxis> = {"v_bar"sv, "-v_bar"sv, "r_bar"sv, "-r_bar"sv, "h_bar"sv, "-h_bar"sv};
 
 }  // namespace parameter_rows
 
@@ -71,6 +77,7 @@ constexpr auto kTarget = &S::target;
 constexpr auto kContact = &S::contact;
 constexpr auto kClosing = &S::closing;
 constexpr auto kTowing = &S::towing;
+constexpr auto kOrbit = &S::orbit;
 constexpr auto kSolver = &S::solver;
 constexpr auto kOutput = &S::output;
 using Pocket = PocketParameters;
@@ -81,6 +88,7 @@ using Target = TargetParameters;
 using Contact = ContactParameters;
 using Closing = ClosingParameters;
 using Towing = TowingParameters;
+using OfOrbit = OrbitParameters;
 using Solver = SolverParameters;
 using Output = OutputParameters;
 
@@ -102,6 +110,8 @@ constexpr std::array kGroups = {
         "Contact of cords, ropes and rods with target and spacecraft and among themselves, and of these two."},
     ParameterGroup{"closing", "Closing", "How the retractors at the rod tips draw the mouth together."},
     ParameterGroup{"towing", "Towing", "How the spacecraft pulls the captured target towards -Y."},
+    ParameterGroup{"orbit", "Orbit",
+                   "The orbit of the world's origin, whose gravity acts on everything near it as a tide."},
     ParameterGroup{"solver", "Solver", "Evaluation of the elements and integration in time."},
     ParameterGroup{"output", "Output", "Length of the run and what is recorded."},
 };
@@ -204,6 +214,16 @@ constexpr std::array kParameters = {
     parameter<kTowing, &Towing::offset_angle>("towing.offset_angle", within(-10, 10), "rad", "direction in which the line of thrust is off the axis, from +X towards +Z; along an axis the pocket keeps a plane of symmetry", kAssumption),
     parameter<kTowing, &Towing::abort_force>("towing.abort_force", within(0, 1e9), "N", "force of the pocket on the target that ends the towing; 0: none does", kAssumption),
 
+    parameter<kOrbit, &OfOrbit::model>("orbit.model", kNone, "", "off: far from all gravity; hill: circular orbit, after Hill, Clohessy and Wiltshire; two_body: any orbit about a point mass; two_body_j2: likewise about the oblate Earth", kChoice),
+    parameter<kOrbit, &OfOrbit::altitude>("orbit.altitude", within(1e5, 1e9), "m", "of the perigee above the equatorial radius of 6378137 m", kAssumption),
+    parameter<kOrbit, &OfOrbit::eccentricity>("orbit.eccentricity", within(0, 0.95), "", "eccentricity; 0 for hill", kAssumption),
+    parameter<kOrbit, &OfOrbit::inclination>("orbit.inclination", within(0, 3.15), "rad", "angle between the orbit's plane and the equator; matters to two_body_j2 only", kAssumption),
+    parameter<kOrbit, &OfOrbit::perigee>("orbit.perigee", within(-10, 10), "rad", "angle from the ascending node to the perigee", kAssumption),
+    parameter<kOrbit, &OfOrbit::anomaly>("orbit.anomaly", within(-10, 10), "rad", "angle from the perigee to the place at the start: the true anomaly", kAssumption),
+    parameter<kOrbit, &OfOrbit::x_along>("orbit.x_along", kNone, "", "direction of the X axis at the start: v_bar ahead, r_bar to the Earth, h_bar against the orbit's angular momentum", kAssumption),
+    parameter<kOrbit, &OfOrbit::y_along>("orbit.y_along", kNone, "", "direction of the Y axis at the start, along which the net is thrown or the mouth opens; at a right angle to orbit.x_along", kAssumption),
+    parameter<kOrbit, &OfOrbit::axes>("orbit.axes", kNone, "", "axes in which velocities at the start, towing thrust and held attitude count: fixed, the world's, which do not turn; local, V-bar, R-bar and H-bar, which turn with the orbit", kChoice),
+
     parameter<kSolver, &Solver::evaluation>("solver.evaluation", kNone, "", "mean_strain: one axial strain per element, lumped mass; full: Gauss points, consistent mass", "assumption; strain and curvature of full: Gerstmayr & Shabana 2006"),
     parameter<kSolver, &Solver::pair_strains>("solver.pair_strains", kNone, "", "the elements of a mesh side share their axial strain two by two, which allows larger steps; mean_strain and cords of full compression only", "assumption; ancf/strain_pair.h"),
     parameter<kSolver, &Solver::time_step>("solver.time_step", within(0, 0.1), "s", "integration step; 0: chosen from the stiffest element and contact", kAssumption),
@@ -230,12 +250,12 @@ std::span<const Parameter> shared_parameters() {
   return kAll;
 }
 
-// Those of control precede the last two.
+// Those of control precede the last three.
 std::span<const ParameterGroup> shared_groups() {
   static const std::vector<ParameterGroup> kAll = [] {
     std::vector<ParameterGroup> all(kGroups.begin(), kGroups.end());
     const auto control = control_groups();
-    all.insert(all.end() - 2, control.begin(), control.end());
+    all.insert(all.end() - 3, control.begin(), control.end());
     return all;
   }();
   return kAll;

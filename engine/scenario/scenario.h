@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/orbit/reference_orbit.h"
 #include "engine/scenario/control_parameters.h"
 #include "engine/scenario/parameter_value.h"
 
@@ -26,6 +27,8 @@ enum class TowingMode { none, force, acceleration, velocity, controlled };
 enum class TowingStart { time, closed };
 enum class StationKeeping { free, attitude, lateral };
 enum class Evaluation { mean_strain, full };
+enum class OrbitModel { off, hill, two_body, two_body_j2 };
+enum class OrbitAxes { fixed, local };
 
 // A round cord (net or closing rope).
 struct CordParameters {
@@ -144,6 +147,23 @@ struct SolverParameters {
   int most_steps = 0;                   // after which a run ends; 0: no limit
 };
 
+// The orbit of the world's origin (orbit/reference_orbit.h). The world's axes do not turn.
+struct OrbitParameters {
+  OrbitModel model = OrbitModel::off;  // off: no gravity but solver.gravity
+  double altitude = 400e3;             // m, of the perigee above the Earth's equatorial radius
+  double eccentricity = 0;
+  double inclination = 0;                                            // rad
+  double perigee = 0;                                                // rad, from the ascending node to the perigee
+  double anomaly = 0;                                                // rad, true anomaly at the start
+  LocalAxis x_along = LocalAxis::h_bar, y_along = LocalAxis::v_bar;  // directions of the world's axes at the start
+  // Whether velocities at the start, towing thrust and held attitude count in the world's axes or in the local axes,
+  // which turn with the orbit.
+  OrbitAxes axes = OrbitAxes::fixed;
+
+  bool is_on() const { return model != OrbitModel::off; }
+  bool turns() const { return is_on() && axes == OrbitAxes::local; }
+};
+
 struct OutputParameters {
   double end_time = 20;    // s
   double frame_rate = 50;  // recorded frames per simulated second
@@ -180,6 +200,7 @@ struct Scenario {
   WinchParameters winch;
   DeflationParameters deflation;
   ActuatorParameters actuators;
+  OrbitParameters orbit;
   SolverParameters solver;
   OutputParameters output;
   std::vector<ControllerParameters> controllers;

@@ -19,7 +19,7 @@
 namespace netpocket {
 namespace {
 
-constexpr std::string_view kGroupsOfAll[] = {"", "solver", "output"};
+constexpr std::string_view kGroupsOfAll[] = {"", "orbit", "solver", "output"};
 
 // The parameters of all items that a list can have.
 class ItemTable {

@@ -78,6 +78,7 @@ std::string identified_text(const Scenario& scenario) {
     if (parameter == nullptr || parameter->get(scenario) != parameter->initial()) continue;
     erase_from(text, fmt::format("\n{} = ", parameter->name()), "\n");
   }
+  if (!scenario.orbit.is_on()) erase_from(text, "\n[orbit]\n", "\n[");
   return text;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <deque>
 
+#include "engine/systems/orbital_frame.h"
 #include "engine/systems/pocket/pocket_system.h"
 #include "engine/systems/thrown_net/thrown_net_system.h"
 
@@ -41,6 +42,7 @@ CaptureSystem build_capture_system(const Scenario& scenario) {
       throw SystemFault("the capture system " + scenario.system + " has no channel " + channel.name);
     }
   }
+  put_into_orbit(scenario, system);
   if (const auto fault = system.model.find_fault()) {
     throw SystemFault("the capture system " + scenario.system + " builds a model with a fault: " + *fault);
   }

@@ -6,6 +6,7 @@
 #include "engine/analysis/metrics/metrics.h"
 #include "engine/analysis/metrics/mouth_passage.h"
 #include "engine/analysis/metrics/net_cover.h"
+#include "engine/analysis/metrics/net_flight.h"
 #include "engine/analysis/metrics/net_geometry.h"
 #include "engine/analysis/metrics/phase_peaks.h"
 #include "engine/analysis/metrics/quality_index.h"
@@ -54,7 +55,8 @@ struct MetricsCollector::Impl {
         spacecraft(body_with(of, BodyRole::spacecraft)),
         utilisation(of, with.strengths),
         passage(of, target, with.closing_end),
-        peaks(spacecraft, with.phases) {
+        peaks(spacecraft, with.phases),
+        flight(*of.channels) {
     if (!target) return;
     const StructureBody& body = of.bodies[*target];
     geometry.emplace(body.shape);
@@ -69,6 +71,7 @@ struct MetricsCollector::Impl {
     if (target) loads.add(structure, snapshot, static_cast<std::int32_t>(*target));
     if (std::isnan(first_contact) && is_touched(snapshot)) first_contact = snapshot.time;
     peaks.add(snapshot, !std::isnan(first_contact));
+    flight.add(snapshot, !std::isnan(first_contact));
     // Times of frames are sums of steps.
     constexpr double kRoundOff = 1e-9;
     if (history.time.empty() || snapshot.time >= history.time.back() + options.interval - kRoundOff) {
@@ -82,6 +85,12 @@ struct MetricsCollector::Impl {
   double angular_momentum(const Snapshot& snapshot) const {
     const BodyState& body = snapshot.bodies[*target];
     return (inertia * (body.attitude.conjugate() * body.angular_velocity)).norm();
+  }
+
+  Metric spin_left() const {
+    const double before = first ? angular_momentum(*first) : 0;
+    return {"spin_left", "1", "angular momentum of the target about its centre at the end by that at the start",
+            before > 0 ? angular_momentum(*last) / before : kUnknown};
   }
 
   double relative_speed(const Snapshot& snapshot) const {
@@ -114,6 +123,7 @@ struct MetricsCollector::Impl {
   CordUtilisation utilisation;
   MouthPassage passage;
   PhasePeaks peaks;
+  NetFlight flight;
   TargetLoads loads;
   MetricHistory history;
   std::optional<Snapshot> first, last;
@@ -228,6 +238,8 @@ std::vector<Metric> MetricsCollector::Impl::metrics() const {
   list_loads(list);
   list_energy(list);
   list_peaks(list);
+  flight.list(list);
+  if (flight.is_of_run() && target) list.push_back(spin_left());
   return list;
 }
 

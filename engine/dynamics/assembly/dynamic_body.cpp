@@ -178,9 +178,9 @@ double DynamicBody::step(const Wrench& wrench, const BodyControl& control, doubl
   exerted_ = {sum.force - wrench.force, sum.torque - wrench.torque};
   const Eigen::Vector3d velocity = rigid_.velocity(), spin = rigid_.angular_velocity();
   rigid_.kick(sum.force, sum.torque, kick);
-  const Eigen::Vector3d mean_velocity = 0.5 * (velocity + rigid_.velocity());
-  const Eigen::Vector3d mean_spin = 0.5 * (spin + rigid_.angular_velocity());
-  const double work = kick * (exerted_.force.dot(mean_velocity) + exerted_.torque.dot(mean_spin));
+  mean_motion_ = {0.5 * (velocity + rigid_.velocity()), 0.5 * (spin + rigid_.angular_velocity())};
+  const double work =
+      kick * (exerted_.force.dot(mean_motion_.velocity) + exerted_.torque.dot(mean_motion_.angular_velocity));
   rigid_.drift(drift);
   return work;
 }

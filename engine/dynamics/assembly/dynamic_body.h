@@ -70,6 +70,8 @@ class DynamicBody {
   const Wrench& exerted() const { return exerted_; }
 
   void note_exerted(const Wrench& exerted) { exerted_ = exerted; }
+  // Mean motion over the last kick: the work of a wrench is its product with that and the kick.
+  const RigidMotion& mean_motion() const { return mean_motion_; }
 
   // State of the body without attachments.
   BodyState state() const;
@@ -110,6 +112,7 @@ class DynamicBody {
   Eigen::Vector3d centre_;  // of the body without attachments, from the common centre of mass, body axes
   std::vector<Attachment> attachments_;
   Wrench exerted_;
+  RigidMotion mean_motion_;
   double inverse_mass_;
   double largest_inverse_inertia_;
   double least_mass_;

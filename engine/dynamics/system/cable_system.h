@@ -53,7 +53,8 @@ struct EnergyAudit {
   double kinetic = 0;
   double strain = 0;
   double contact = 0;  // stored in the springs of contacts
-  double input = 0;    // work since the start: retractors, controls, gravity and loads
+  double input = 0;    // work since the start: retractors, controls, gravity, the tide and loads
+  double tidal = 0;    // of that, work of the tide of the model's orbit
   SpentEnergy spent;
   double error = 0;  // kinetic + strain + contact + spent - input, minus its value at the start
   // Aliased energy: the part of the cables' energy that the step does not resolve. For a wave of frequency w it is

@@ -17,6 +17,7 @@ void EnergyAccount::before_step(double kick) {
   fed_to_contacts_ = contacts_.fed_power();
   spent_.at_hinges += kick * forces_.hinge_power();
   ropes_change_ = elements_.ropes().energy_change(state_.coordinates, state_.velocities);
+  if (forces_.tide()) tidal_before_ = tidal_power(state_.velocities);
 }
 
 void EnergyAccount::after_coordinates(double kick) {
@@ -24,6 +25,7 @@ void EnergyAccount::after_coordinates(double kick) {
   spent_.in_cords += kick * (forces_.element_power().dissipated + forces_.line_power());
   ropes_change_ += elements_.ropes().energy_change(state_.coordinates, state_.velocities);
   input_ -= 0.5 * ropes_change_;
+  if (forces_.tide()) tidal_ += 0.5 * kick * (tidal_before_ + tidal_power(state_.velocities));
 }
 
 // Neither energy is negative, apart from round-off.
@@ -31,6 +33,30 @@ void EnergyAccount::after_bodies(double kick) {
   const SystemContacts::Power after = contacts_.power(state_.velocities, state_.bodies);
   spent_.in_contacts += std::max(0.5 * kick * (power_before_.damping + after.damping), 0.0);
   spent_.by_friction += std::max(0.5 * kick * (power_before_.friction + after.friction), 0.0);
+  for (std::size_t b = 0; forces_.tide() && b < state_.bodies.size(); ++b) {
+    tidal_ += kick * tidal_power(b, state_.bodies[b].mean_motion());
+  }
+}
+
+// W, on free coordinates at these velocities, and on a body in this motion.
+double EnergyAccount::tidal_power(const CoordinateVectors& velocity) const {
+  return integrator_.power(forces_.tide()->accelerations(), velocity);
+}
+double EnergyAccount::tidal_power(std::size_t body, const RigidMotion& motion) const {
+  const Wrench& wrench = forces_.tide()->wrench(body);
+  return wrench.force.dot(motion.velocity) + wrench.torque.dot(motion.angular_velocity);
+}
+
+// J, over the first half of the step that the forces act for, at the end of which coordinates have this velocity.
+double EnergyAccount::tidal_work_of_half(const CoordinateVectors& velocity) const {
+  const double half_kick = 0.5 * state_.last_step;
+  double power = tidal_power(state_.velocities) + tidal_power(velocity);
+  for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
+    const DynamicBody& body = state_.bodies[b];
+    const RigidBody later = body.after(forces_.wrenches()[b], state_.controls[b], half_kick);
+    power += tidal_power(b, body.motion()) + tidal_power(b, {later.velocity(), later.angular_velocity()});
+  }
+  return 0.5 * half_kick * power;
 }
 
 // J, of bodies at the end of their half kick, and of nodes and gradients at the given velocities.
@@ -97,6 +123,10 @@ EnergyAudit EnergyAccount::make_audit() {
   result.spent.by_friction += first_half(before.friction, after.friction);
   result.input = input_ + half_kick * (forces_.element_power().fed + contacts_.fed_power()) + forces_.load_work() +
                  flow.work - 0.5 * ropes.energy_change(state_.coordinates, state_.velocities) - initial_input_;
+  if (forces_.tide()) {
+    result.tidal = tidal_ + tidal_work_of_half(velocity);
+    result.input += result.tidal;
+  }
   result.error =
       result.kinetic + result.strain + result.contact + result.spent.total() - result.input - initial_energy_;
   return result;
@@ -107,6 +137,7 @@ void EnergyAccount::visit_state(const std::function<void(double&)>& visit) {
                         &initial_energy_, &initial_input_}) {
     visit(*value);
   }
+  if (forces_.tide()) visit(tidal_);
 }
 
 }  // namespace netpocket

@@ -58,6 +58,9 @@ class EnergyAccount {
 
  private:
   double kinetic_energy(const CoordinateVectors& velocity) const;
+  double tidal_power(const CoordinateVectors& velocity) const;
+  double tidal_power(std::size_t body, const RigidMotion& motion) const;
+  double tidal_work_of_half(const CoordinateVectors& velocity) const;
   SystemContacts::Power contact_power_after(double kick);
   EnergyAudit make_audit();
 
@@ -74,6 +77,8 @@ class EnergyAccount {
   double ropes_change_ = 0;                        // J, RopeDynamics::energy_change before the step under way
   SystemContacts::Power power_before_;             // W, in the step under way
   double fed_to_contacts_ = 0;                     // W, likewise
+  double tidal_ = 0;                               // J, work of the tide, which input_ does not hold
+  double tidal_before_ = 0;                        // W, in the step under way, on coordinates
   EnergyAudit last_audit_;
   std::int64_t audited_ = -1;  // SystemForces::computations of last_audit_; -1: outdated
 };

@@ -38,6 +38,7 @@ Leapfrog::Leapfrog(const Model& model, const CableElements& elements, const Cabl
 // `collected_`.
 std::optional<update_kernel::Fastest> Leapfrog::move(CoordinateVectors& v, CoordinateVectors& x, double kick,
                                                      double drift) {
+  if (const TidalField* tide = forces_.tide()) tide->kick(v, kick);
   if (!consistent_mass_) return kick_and_drift(v, x, elements_.inverse_mass(), kick, drift);
   collected_.set_zero();
   kick_and_drift(collected_, unmoved_, unit_mass_, 1, 0);
@@ -87,6 +88,24 @@ double Leapfrog::lumped_energy(const Squares& squares) const {
 double Leapfrog::kinetic_energy(const CoordinateVectors& velocity) const {
   if (consistent_mass_) return consistent_mass_->kinetic_energy(velocity, elements_.mass());
   return lumped_energy([&](int first, int count) { return velocity.squared_norms(first, count); });
+}
+
+// With a consistent mass a.M.v is half the difference of two kinetic energies, (v + a).M.(v + a)/2 - (v - a).M.(v -
+// a)/2.
+double Leapfrog::power(const CoordinateVectors& acceleration, const CoordinateVectors& velocity) const {
+  double power = 0;
+  if (!consistent_mass_) {
+    for (std::int32_t i = 0; i < state_.layout.size(); ++i) {
+      power += elements_.moving_mass()[static_cast<std::size_t>(i)] * acceleration.get(i).dot(velocity.get(i));
+    }
+    return power;
+  }
+  CoordinateVectors sum = velocity, difference = velocity;
+  for (std::int32_t i = 0; i < state_.layout.size(); ++i) {
+    sum.add(i, acceleration.get(i));
+    difference.add(i, -acceleration.get(i));
+  }
+  return 0.5 * (kinetic_energy(sum) - kinetic_energy(difference));
 }
 
 double Leapfrog::aliased_energy(const CoordinateVectors& velocity) const {

@@ -36,6 +36,8 @@ class Leapfrog {
 
   // J, of free coordinates at these velocities.
   double kinetic_energy(const CoordinateVectors& velocity) const;
+  // W: of forces that give free coordinates these accelerations, at these velocities.
+  double power(const CoordinateVectors& acceleration, const CoordinateVectors& velocity) const;
   // J. Velocities half a step apart differ by the waves that the step does not resolve. The energy of the difference is
   // the aliased energy.
   double aliased_energy(const CoordinateVectors& velocity) const;

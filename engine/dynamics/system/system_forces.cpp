@@ -55,6 +55,7 @@ SystemForces::SystemForces(const Model& model, CableElements& elements, const Ca
       element_forces_(static_cast<std::size_t>(elements.batch().block_count()) * kForceRows * kBlockSize, 0.0),
       applied_(state.layout.size()),
       wrenches_(state.bodies.size()) {
+  if (model.orbit) tide_.emplace(*model.orbit, elements, state);
   collect_hinges();
   applied_.set_constant(elements.constant_loads());
   for (const DynamicBody& body : state.bodies) {
@@ -121,9 +122,11 @@ void SystemForces::compute(double dt, bool with_elements) {
   }
   contacts_.add_cord_forces(
       times, [this](auto blocks, double* rows) { sum(blocks, rows); }, applied_, wrenches_);
+  if (tide_) tide_->compute();
   for (std::size_t b = 0; b < wrenches_.size(); ++b) {
     add_attachments(b);
     add_gravity(b);
+    if (tide_) wrenches_[b] += tide_->wrench(b);
   }
   contacts_.add_body_forces(times, wrenches_);
   version_ = state_.version;

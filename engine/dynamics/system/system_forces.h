@@ -1,5 +1,6 @@
 #pragma once
-// All forces of a system at its present state: elements, hinges, lines, wrinkling, ropes, contacts, gravity and loads.
+// All forces of a system at its present state: elements, hinges, lines, wrinkling, ropes, contacts, gravity, the tide
+// and loads.
 // Internal to this room.
 
 #include <cstdint>
@@ -21,6 +22,7 @@
 #include "engine/dynamics/system/cable_state.h"
 #include "engine/dynamics/system/system_contacts.h"
 #include "engine/dynamics/system/system_threads.h"
+#include "engine/dynamics/system/tidal_field.h"
 #include "engine/dynamics/system/travelled_way.h"
 #include "engine/math/sector_sum.h"
 
@@ -49,6 +51,9 @@ class SystemForces {
   // On coordinates, as the update kernels take them. Masses and state are not set.
   update_kernel::UpdateView view() const;
   int block_count() const { return assembly_.block_count(); }
+  // What acts on free coordinates as an acceleration besides these forces; null: nothing. Its part on bodies is among
+  // the wrenches.
+  const TidalField* tide() const { return tide_ ? &*tide_ : nullptr; }
   // Whether forces of elements still wait. Then move() computes them and moves all coordinates of `motion`, which is
   // the view with masses and state: v += kick M^-1 F, x += drift v. Only then is element_power() known. Returns the
   // largest speeds.
@@ -98,6 +103,7 @@ class SystemForces {
   AlignedVector<double> element_forces_;
   AppliedForces applied_;  // all forces but those of elements
   std::vector<Wrench> wrenches_;
+  std::optional<TidalField> tide_;
   std::vector<std::vector<std::int32_t>>
       attached_blocks_;                    // by body: blocks of coordinates that hold its attachments, ascending
   AlignedVector<double> attached_forces_;  // on the attached blocks of one body

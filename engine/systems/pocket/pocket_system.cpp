@@ -9,6 +9,7 @@
 #include "engine/control/target_drive.h"
 #include "engine/control/towing.h"
 #include "engine/control/winch_control.h"
+#include "engine/scenario/check_orbit.h"
 #include "engine/scenario/pocket_outline.h"
 #include "engine/systems/pocket/control_channels.h"
 #include "engine/systems/pocket/loop_channels.h"
@@ -79,8 +80,9 @@ CaptureSystem build(const Scenario& scenario) {
   system.awaited = [watch](double time) { return watch->awaited(time); };
   const auto times = watch->times();
   const auto* materials = add_controller<MaterialChanges>(system, scenario, pocket.rod_materials, times);
-  add_controller<SpacecraftDrive>(system, scenario.towing, scenario.spacecraft.station_keeping,
-                                  total_mass(pocket.model), pocket.spacecraft, times);
+  auto* drive = add_controller<SpacecraftDrive>(system, scenario.towing, scenario.spacecraft.station_keeping,
+                                                total_mass(pocket.model), pocket.spacecraft, times);
+  if (scenario.orbit.turns()) drive->follow(*orbit_of(scenario));
   const WinchControl* winches = nullptr;
   if (scenario.winch.drive == WinchDrive::prescribed) {
     add_controller<ClosingControl>(system, scenario.closing, open_lengths, times);

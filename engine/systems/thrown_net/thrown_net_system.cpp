@@ -5,6 +5,7 @@
 
 #include "engine/control/target_drive.h"
 #include "engine/control/towing.h"
+#include "engine/scenario/check_orbit.h"
 #include "engine/scenario/thrown_net_parameters.h"
 #include "engine/systems/pocket/control_channels.h"
 #include "engine/systems/thrown_net/thrown_net.h"
@@ -42,8 +43,10 @@ CaptureSystem build_thrown_net_system(const Scenario& scenario) {
   auto events = std::make_unique<ThrownNetEvents>(scenario, net.target);
   const auto times = events->times();
   add(std::move(events));
-  add(std::make_unique<SpacecraftDrive>(scenario.towing, scenario.spacecraft.station_keeping, mass_of_all(net.model),
-                                        net.spacecraft, times));
+  auto drive = std::make_unique<SpacecraftDrive>(scenario.towing, scenario.spacecraft.station_keeping,
+                                                 mass_of_all(net.model), net.spacecraft, times);
+  if (scenario.orbit.turns()) drive->follow(*orbit_of(scenario));
+  add(std::move(drive));
   std::vector<double> open_lengths;
   for (std::size_t rope = 0; rope < net.model.rope_count(); ++rope) open_lengths.push_back(net.model.rope_length(rope));
   const WinchControl* winches = nullptr;

@@ -65,7 +65,7 @@ TEST(ParameterTable, DeclaresEveryMember) {
   // Does not compile when a member is added; then declare it in the table and count it here.
   const Scenario s;
   [[maybe_unused]] const auto& [n, d, system, pocket, net, rope, rods, spacecraft, target, contact, closing, towing,
-                                winch, deflation, actuators, solver, output, controllers, sensors, thrusters, wheels,
+                                winch, deflation, actuators, orbit, solver, output, controllers, sensors, thrusters, wheels,
                                 disturbances, own, files] = s;
   const auto count = [](std::string_view group) { return parameters_of(*find_parameter_group(group)).size(); };
   EXPECT_EQ(count(""), 3u);
@@ -113,6 +113,10 @@ TEST(ParameterTable, DeclaresEveryMember) {
   {
     [[maybe_unused]] const auto& [a, b, c, e, f, g] = actuators;
     EXPECT_EQ(count("actuators"), 6u);
+  }
+  {
+    [[maybe_unused]] const auto& [a, b, c, e, f, g, h, i, j] = orbit;
+    EXPECT_EQ(count("orbit"), 9u);
   }
   {
     [[maybe_unused]] const auto& [a, b, c, e, f, g, h, i] = solver;

@@ -1,0 +1,46 @@
+#pragma once
+// Measures of a thrown net: how far it opens, where, how its cords snap taut in flight, whether it keeps what it wraps,
+// and how its tether pulls. From the channels of such a run (systems/thrown_net/thrown_net_channels.h); other runs have
+// none of them.
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "engine/analysis/metrics/metrics.h"
+#include "engine/state/channels.h"
+
+namespace netpocket {
+
+// A net counts as open while its area is at least this part of the flat net's.
+inline constexpr double kOpenPart = 0.8;
+
+class NetFlight {
+ public:
+  explicit NetFlight(const ChannelList& channels);
+
+  // Snapshots in the order of their times. `is_touched`: whether the net has touched the target by then.
+  void add(const Snapshot& snapshot, bool is_touched);
+  bool is_of_run() const { return area_.has_value(); }  // whether the run is one of a thrown net
+  // Nothing if it is not.
+  void list(std::vector<Metric>& list) const;
+
+ private:
+  double value(const Snapshot& snapshot, std::optional<std::size_t> channel) const;
+  void follow_area(const Snapshot& snapshot);
+  void follow_capture(const Snapshot& snapshot, double interval);
+  void follow_tether(const Snapshot& snapshot);
+
+  std::optional<std::size_t> area_, part_, distance_, tension_, enclosure_, captured_, tether_;
+  double last_time_ = 0;
+  bool is_begun_ = false;
+  double largest_ = 0, largest_part_ = 0, at_time_ = 0, at_distance_ = 0, open_time_ = 0;
+  double flight_peak_ = 0, flight_sum_ = 0;
+  int flight_frames_ = 0;
+  double captured_time_, held_time_ = 0, lost_time_ = 0, last_enclosure_;
+  double tether_peak_ = 0;
+  int snaps_ = 0;
+  bool is_taut_ = false;
+};
+
+}  // namespace netpocket
