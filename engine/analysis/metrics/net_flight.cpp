@@ -43,10 +43,11 @@ void NetFlight::add(const Snapshot& snapshot, bool is_touched) {
   follow_tether(snapshot);
 }
 
-// The largest area of the flight: a net that hits its target may be stretched again by the tow.
+// The largest area of the first opening. A net that hits its target may also be stretched again by the tow.
 void NetFlight::follow_area(const Snapshot& snapshot) {
   const double area = value(snapshot, area_);
-  if (area <= largest_) return;
+  is_past_ = is_past_ || (largest_part_ >= kOpenPart && area < kOpeningOver * largest_);
+  if (is_past_ || area <= largest_) return;
   largest_ = area;
   largest_part_ = value(snapshot, part_);
   at_time_ = snapshot.time;
@@ -73,7 +74,8 @@ void NetFlight::follow_tether(const Snapshot& snapshot) {
 
 void NetFlight::list(std::vector<Metric>& list) const {
   if (!area_) return;
-  list.push_back({"net_area_peak", "m^2", "largest area of the net before it touches the target", largest_});
+  list.push_back(
+      {"net_area_peak", "m^2", "largest area of the net in its first opening, before it touches the target", largest_});
   list.push_back({"net_area_peak_part", "1", "the same by the flat net's", largest_part_});
   list.push_back({"net_area_time", "s", "when that was", at_time_});
   list.push_back({"net_area_distance", "m", "how far the net had flown then", at_distance_});

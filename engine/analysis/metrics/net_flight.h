@@ -14,6 +14,9 @@ namespace netpocket {
 
 // A net counts as open while its area is at least this part of the flat net's.
 inline constexpr double kOpenPart = 0.8;
+// The first opening of a net that has been open is over when its area falls below this part of its largest. Nets spring
+// back and may open again, by a little more.
+inline constexpr double kOpeningOver = 0.95;
 
 class NetFlight {
  public:
@@ -33,7 +36,7 @@ class NetFlight {
 
   std::optional<std::size_t> area_, part_, distance_, tension_, enclosure_, captured_, tether_;
   double last_time_ = 0;
-  bool is_begun_ = false;
+  bool is_begun_ = false, is_past_ = false;
   double largest_ = 0, largest_part_ = 0, at_time_ = 0, at_distance_ = 0, open_time_ = 0;
   double flight_peak_ = 0, flight_sum_ = 0;
   int flight_frames_ = 0;

@@ -42,6 +42,7 @@ TEST(NetFlight, MeasuresFlightCaptureAndTether) {
   flight.add(frame(1, 0.85, 2, 0.2, 0), false);
   flight.add(frame(2, 0.9, 10, 0.3, 5), false);
   flight.add(frame(3, 0.7, 4, 0.3, 3), false);
+  flight.add(frame(3.5, 0.92, 4, 0.3, 3), false);  // springs back
   flight.add(frame(4, 0.95, 50, 0.6, 0), true);  // the tow stretches it
   flight.add(frame(6, 0.5, 50, 0.4, 9), true);
   flight.add(frame(7, 0.5, 50, 0.7, 2), true);
@@ -50,9 +51,9 @@ TEST(NetFlight, MeasuresFlightCaptureAndTether) {
   EXPECT_EQ(value["net_area_peak_part"], 0.9);
   EXPECT_EQ(value["net_area_time"], 2);
   EXPECT_EQ(value["net_area_distance"], 4);
-  EXPECT_EQ(value["net_open_time"], 2);
+  EXPECT_EQ(value["net_open_time"], 2.5);
   EXPECT_EQ(value["flight_tension_peak"], 10);
-  EXPECT_EQ(value["flight_tension_snap"], 2.5);
+  EXPECT_EQ(value["flight_tension_snap"], 2.5);  // the mean of 0, 2, 10, 4 and 4 is 4
   EXPECT_EQ(value["enclosure_end"], 0.7);
   EXPECT_EQ(value["captured_time"], 4);
   EXPECT_DOUBLE_EQ(value["captured_share"], 1.0 / 3);
