@@ -46,12 +46,16 @@ void NetFlight::add(const Snapshot& snapshot, bool is_touched) {
 // The largest area of the first opening. A net that hits its target may also be stretched again by the tow.
 void NetFlight::follow_area(const Snapshot& snapshot) {
   const double area = value(snapshot, area_);
-  is_past_ = is_past_ || (largest_part_ >= kOpenPart && area < kOpeningOver * largest_);
-  if (is_past_ || area <= largest_) return;
-  largest_ = area;
+  is_past_ = is_past_ || (largest_part_ >= kOpenPart && area < kOpeningOver * largest().area);
+  if (is_past_ || area <= largest().area) return;
   largest_part_ = value(snapshot, part_);
-  at_time_ = snapshot.time;
-  at_distance_ = value(snapshot, distance_);
+  rises_.push_back({area, snapshot.time, value(snapshot, distance_)});
+}
+
+NetFlight::Place NetFlight::spread() const {
+  const double enough = kSpreadPart * largest().area;
+  const auto found = std::ranges::find_if(rises_, [enough](const Place& place) { return place.area >= enough; });
+  return found == rises_.end() ? Place{0, 0, 0} : *found;
 }
 
 void NetFlight::follow_capture(const Snapshot& snapshot, double interval) {
@@ -74,11 +78,13 @@ void NetFlight::follow_tether(const Snapshot& snapshot) {
 
 void NetFlight::list(std::vector<Metric>& list) const {
   if (!area_) return;
-  list.push_back(
-      {"net_area_peak", "m^2", "largest area of the net in its first opening, before it touches the target", largest_});
+  list.push_back({"net_area_peak", "m^2", "largest area of the net in its first opening, before it touches the target",
+                  largest().area});
   list.push_back({"net_area_peak_part", "1", "the same by the flat net's", largest_part_});
-  list.push_back({"net_area_time", "s", "when that was", at_time_});
-  list.push_back({"net_area_distance", "m", "how far the net had flown then", at_distance_});
+  list.push_back({"net_area_time", "s", "when that was", largest().time});
+  list.push_back({"net_area_distance", "m", "how far the net had flown then", largest().distance});
+  list.push_back({"net_spread_time", "s", "when its area first was 0.95 of that", spread().time});
+  list.push_back({"net_spread_distance", "m", "how far it had flown then", spread().distance});
   list.push_back({"net_open_time", "s", "for which the net in flight has 0.8 of its flat area or more", open_time_});
   list.push_back({"flight_tension_peak", "N", "largest tension of a net cord before it touches the target",
                   flight_frames_ > 0 ? flight_peak_ : kNever});

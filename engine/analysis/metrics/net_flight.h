@@ -17,6 +17,9 @@ inline constexpr double kOpenPart = 0.8;
 // The first opening of a net that has been open is over when its area falls below this part of its largest. Nets spring
 // back and may open again, by a little more.
 inline constexpr double kOpeningOver = 0.95;
+// It counts as spread once its area first is this part of the largest: about there the area is flat, and round-off
+// decides when it is largest.
+inline constexpr double kSpreadPart = 0.95;
 
 class NetFlight {
  public:
@@ -29,15 +32,22 @@ class NetFlight {
   void list(std::vector<Metric>& list) const;
 
  private:
+  struct Place {
+    double area, time, distance;  // m^2, s, m
+  };
+
   double value(const Snapshot& snapshot, std::optional<std::size_t> channel) const;
+  Place largest() const { return rises_.empty() ? Place{0, 0, 0} : rises_.back(); }
+  Place spread() const;
   void follow_area(const Snapshot& snapshot);
   void follow_capture(const Snapshot& snapshot, double interval);
   void follow_tether(const Snapshot& snapshot);
 
   std::optional<std::size_t> area_, part_, distance_, tension_, enclosure_, captured_, tether_;
+  std::vector<Place> rises_;  // frames of the first opening with a larger area than all before
   double last_time_ = 0;
   bool is_begun_ = false, is_past_ = false;
-  double largest_ = 0, largest_part_ = 0, at_time_ = 0, at_distance_ = 0, open_time_ = 0;
+  double largest_part_ = 0, open_time_ = 0;
   double flight_peak_ = 0, flight_sum_ = 0;
   int flight_frames_ = 0;
   double captured_time_, held_time_ = 0, lost_time_ = 0, last_enclosure_;

@@ -39,11 +39,11 @@ std::map<std::string, double> measures(const NetFlight& flight) {
 TEST(NetFlight, MeasuresFlightCaptureAndTether) {
   NetFlight flight(*kChannels);
   flight.add(frame(0, 0.1, 0, 0.1, 0), false);
-  flight.add(frame(1, 0.85, 2, 0.2, 0), false);
+  flight.add(frame(1, 0.86, 2, 0.2, 0), false);
   flight.add(frame(2, 0.9, 10, 0.3, 5), false);
   flight.add(frame(3, 0.7, 4, 0.3, 3), false);
   flight.add(frame(3.5, 0.92, 4, 0.3, 3), false);  // springs back
-  flight.add(frame(4, 0.95, 50, 0.6, 0), true);  // the tow stretches it
+  flight.add(frame(4, 0.95, 50, 0.6, 0), true);    // the tow stretches it
   flight.add(frame(6, 0.5, 50, 0.4, 9), true);
   flight.add(frame(7, 0.5, 50, 0.7, 2), true);
   auto value = measures(flight);
@@ -51,6 +51,8 @@ TEST(NetFlight, MeasuresFlightCaptureAndTether) {
   EXPECT_EQ(value["net_area_peak_part"], 0.9);
   EXPECT_EQ(value["net_area_time"], 2);
   EXPECT_EQ(value["net_area_distance"], 4);
+  EXPECT_EQ(value["net_spread_time"], 1);  // 86 m^2 are more than 0.95 of 90
+  EXPECT_EQ(value["net_spread_distance"], 2);
   EXPECT_EQ(value["net_open_time"], 2.5);
   EXPECT_EQ(value["flight_tension_peak"], 10);
   EXPECT_EQ(value["flight_tension_snap"], 2.5);  // the mean of 0, 2, 10, 4 and 4 is 4
