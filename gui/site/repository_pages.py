@@ -13,6 +13,7 @@ PAGES = {
     "scenarios/studies/README.md": "reference/studies.md",
     "scenarios/FINDINGS.md": "reference/findings.md",
     "scenarios/CONTROL_FINDINGS.md": "reference/control_findings.md",
+    "scenarios/THROWN_FINDINGS.md": "reference/thrown_findings.md",
     "scenarios/CAPTURE.md": "reference/capture.md",
     "engine/THEORY.md": "reference/model.md",
     "engine/recording/FORMAT.md": "reference/recordings.md",

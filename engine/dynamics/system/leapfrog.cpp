@@ -93,12 +93,17 @@ double Leapfrog::kinetic_energy(const CoordinateVectors& velocity) const {
 // With a consistent mass a.M.v is half the difference of two kinetic energies, (v + a).M.(v + a)/2 - (v - a).M.(v -
 // a)/2.
 double Leapfrog::power(const CoordinateVectors& acceleration, const CoordinateVectors& velocity) const {
-  double power = 0;
   if (!consistent_mass_) {
-    for (std::int32_t i = 0; i < state_.layout.size(); ++i) {
-      power += elements_.moving_mass()[static_cast<std::size_t>(i)] * acceleration.get(i).dot(velocity.get(i));
+    using Block = Eigen::Map<const Eigen::Array<double, kBlockSize, kVectorRows>, Eigen::Aligned64>;
+    Eigen::Array<double, kBlockSize, 1> sum = Eigen::Array<double, kBlockSize, 1>::Zero();
+    const double* mass = elements_.moving_mass().data();
+    for (std::int32_t first = 0; first < state_.layout.size(); first += kBlockSize) {
+      const std::ptrdiff_t row = static_cast<std::ptrdiff_t>(first) * kVectorRows;
+      const Block a(acceleration.rows().first + row), v(velocity.rows().first + row);
+      const Eigen::Map<const Eigen::Array<double, kBlockSize, 1>, Eigen::Aligned64> m(mass + first);
+      sum += m * (a.col(0) * v.col(0) + a.col(1) * v.col(1) + a.col(2) * v.col(2));
     }
-    return power;
+    return sum.sum();
   }
   CoordinateVectors sum = velocity, difference = velocity;
   for (std::int32_t i = 0; i < state_.layout.size(); ++i) {

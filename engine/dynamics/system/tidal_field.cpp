@@ -21,16 +21,15 @@ TidalField::TidalField(const Orbit& orbit, const CableElements& elements, const 
 
 void TidalField::compute() {
   const Eigen::Matrix3d tide = orbit_.tide(state_.time);
+  using Lanes = Eigen::Array<double, kBlockSize, 1>;
   const double* position = state_.coordinates.rows().first;
   double* acceleration = accelerations_.data();
   for (std::int32_t first = 0; first < state_.layout.size(); first += kBlockSize) {
+    const Eigen::Map<const Eigen::Array<double, kBlockSize, kVectorRows>, Eigen::Aligned64> x(position);
+    Eigen::Map<Eigen::Array<double, kBlockSize, kVectorRows>, Eigen::Aligned64> a(acceleration);
+    const Eigen::Map<const Lanes> is_free(is_free_.data() + first);
     for (int row = 0; row < kVectorRows; ++row) {
-      for (int lane = 0; lane < kBlockSize; ++lane) {
-        acceleration[row * kBlockSize + lane] =
-            is_free_[static_cast<std::size_t>(first + lane)] *
-            (tide(row, 0) * position[lane] + tide(row, 1) * position[kBlockSize + lane] +
-             tide(row, 2) * position[2 * kBlockSize + lane]);
-      }
+      a.col(row) = is_free * (tide(row, 0) * x.col(0) + tide(row, 1) * x.col(1) + tide(row, 2) * x.col(2));
     }
     position += kTidalBlock;
     acceleration += kTidalBlock;
@@ -39,10 +38,9 @@ void TidalField::compute() {
 }
 
 void TidalField::kick(CoordinateVectors& v, double kick) const {
-  const double* acceleration = accelerations_.rows().first;
-  double* velocity = v.data();
-  const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(state_.layout.size()) * kVectorRows;
-  for (std::ptrdiff_t i = 0; i < count; ++i) velocity[i] += kick * acceleration[i];
+  const Eigen::Index count = static_cast<Eigen::Index>(state_.layout.size()) * kVectorRows;
+  Eigen::Map<Eigen::ArrayXd, Eigen::Aligned64>(v.data(), count) +=
+      kick * Eigen::Map<const Eigen::ArrayXd, Eigen::Aligned64>(accelerations_.rows().first, count);
 }
 
 }  // namespace netpocket

@@ -218,6 +218,9 @@ std::optional<QString> why_unused(const Parameter& parameter, const Scenario& sc
   if (parameter.group() == "towing" && parameter.name() != "mode" && scenario.towing.mode == TowingMode::none) {
     reason = ParameterWords::tr("Used when the mode is not “none”.");
   }
+  if (parameter.group() == "orbit" && parameter.name() != "model" && !scenario.orbit.is_on()) {
+    reason = ParameterWords::tr("Used when the model is not “off”.");
+  }
   if (parameter.key == "contact.friction_velocity" && scenario.contact.friction == 0)
     reason = ParameterWords::tr("Used with friction.");
   if (reason.isEmpty()) return std::nullopt;

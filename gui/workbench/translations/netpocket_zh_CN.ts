@@ -205,6 +205,10 @@
         <source>Used with friction.</source>
         <translation>在有摩擦时使用。</translation>
     </message>
+    <message>
+        <source>Used when the model is not “off”.</source>
+        <translation>在模型不是“off”时使用。</translation>
+    </message>
 </context>
 <context>
     <name>PartPresets</name>
@@ -7420,6 +7424,92 @@
         <comment>tether</comment>
         <translation>最大速率</translation>
     </message>
+    <message>
+        <source>Orbit</source>
+        <translation>轨道</translation>
+    </message>
+    <message>
+        <source>The orbit of the world&apos;s origin, whose gravity acts on everything near it as a tide.</source>
+        <translation>世界坐标系原点的轨道；其引力以潮汐力作用于附近的一切。</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>模型</translation>
+    </message>
+    <message>
+        <source>off: far from all gravity; hill: circular orbit, after Hill, Clohessy and Wiltshire; two_body: any orbit about a point mass; two_body_j2: likewise about the oblate Earth</source>
+        <translation>off：远离一切引力；hill：圆轨道，按 Hill、Clohessy 与 Wiltshire；two_body：绕质点的任意轨道；two_body_j2：同上，绕扁球形的地球</translation>
+    </message>
+    <message>
+        <source>Altitude</source>
+        <translation>高度</translation>
+    </message>
+    <message>
+        <source>of the perigee above the equatorial radius of 6378137 m</source>
+        <translation>近地点高出赤道半径 6378137 m 的高度</translation>
+    </message>
+    <message>
+        <source>Eccentricity</source>
+        <translation>偏心率</translation>
+    </message>
+    <message>
+        <source>eccentricity; 0 for hill</source>
+        <translation>偏心率；hill 时为 0</translation>
+    </message>
+    <message>
+        <source>Inclination</source>
+        <translation>倾角</translation>
+    </message>
+    <message>
+        <source>angle between the orbit&apos;s plane and the equator; matters to two_body_j2 only</source>
+        <translation>轨道面与赤道的夹角；只对 two_body_j2 有影响</translation>
+    </message>
+    <message>
+        <source>Perigee</source>
+        <translation>近地点幅角</translation>
+    </message>
+    <message>
+        <source>angle from the ascending node to the perigee</source>
+        <translation>从升交点到近地点的角度</translation>
+    </message>
+    <message>
+        <source>Anomaly</source>
+        <translation>真近点角</translation>
+    </message>
+    <message>
+        <source>angle from the perigee to the place at the start: the true anomaly</source>
+        <translation>从近地点到起始位置的角度：真近点角</translation>
+    </message>
+    <message>
+        <source>X along</source>
+        <translation>X 轴指向</translation>
+    </message>
+    <message>
+        <source>direction of the X axis at the start: v_bar ahead, r_bar to the Earth, h_bar against the orbit&apos;s angular momentum</source>
+        <translation>起始时 X 轴的方向：v_bar 向前，r_bar 指向地球，h_bar 与轨道角动量相反</translation>
+    </message>
+    <message>
+        <source>Y along</source>
+        <translation>Y 轴指向</translation>
+    </message>
+    <message>
+        <source>direction of the Y axis at the start, along which the net is thrown or the mouth opens; at a right angle to orbit.x_along</source>
+        <translation>起始时 Y 轴的方向，绳网沿此方向抛射，或网口朝此方向张开；与 orbit.x_along 成直角</translation>
+    </message>
+    <message>
+        <source>axes in which velocities at the start, towing thrust and held attitude count: fixed, the world&apos;s, which do not turn; local, V-bar, R-bar and H-bar, which turn with the orbit</source>
+        <translation>起始速度、拖曳推力和保持的姿态所依据的坐标轴：fixed 为不转动的世界坐标轴；local 为随轨道转动的 V-bar、R-bar 与 H-bar</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <comment>orbit</comment>
+        <translation>坐标轴</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <comment>controller</comment>
+        <translation>坐标轴</translation>
+    </message>
 </context>
 <context>
     <name>scenarios</name>
@@ -7498,6 +7588,22 @@
     <message>
         <source>Closing in 5 s as in case 3; then the pocket is let go and towed on a tether of 10 m</source>
         <translation>与工况 3 一样在 5 s 内收口；随后释放网袋，用 10 m 的系绳拖曳</translation>
+    </message>
+    <message>
+        <source>A net of 3.5 m with meshes of 0.25 m is thrown at a cube of 1 m and drawn together behind it</source>
+        <translation>网目 0.25 m 的 3.5 m 绳网抛向 1 m 的立方体，并在其后方收口</translation>
+    </message>
+    <message>
+        <source>A hexagonal net of 5 m with six masses is thrown at a light target of 1 m; winches close its neck</source>
+        <translation>带六个角质量块的 5 m 六边形绳网抛向 1 m 的轻目标；绞车将网颈收拢</translation>
+    </message>
+    <message>
+        <source>A net is thrown at a rocket stage in a low orbit, drawn together and tows it against V-bar for ten minutes</source>
+        <translation>在低轨道上向一枚火箭末级抛射飞网，收口后沿 V-bar 反方向拖曳十分钟</translation>
+    </message>
+    <message>
+        <source>A small open net of 5 m flies at 1 m/s over a ball of 2 m and wraps it by itself</source>
+        <translation>一张张开的 5 m 小绳网以 1 m/s 飞向 2 m 的球，并自行将其包住</translation>
     </message>
 </context>
 </TS>

@@ -49,30 +49,42 @@ TEST(StudyFiles, JudgedPointIsValid) {
   }
 }
 
-constexpr const char* kControlStudies[] = {"control_at_impact", "control_gains", "control_rods", "held_spacecraft",
-                                           "deflation"};
+// A document of several studies, and the command that makes it.
+struct StudyDocument {
+  const char *file, *command;
+  std::vector<std::string> studies;
+};
+const StudyDocument kDocuments[] = {
+    {"CONTROL_FINDINGS.md",
+     "./dev control",
+     {"control_at_impact", "control_gains", "control_rods", "held_spacecraft", "deflation"}},
+    {"THROWN_FINDINGS.md", "./dev thrown-net", {"thrown_net_deployment", "thrown_net_capture", "thrown_net_spin"}}};
 
-TEST(StudyFiles, EveryPointAboutControlIsValid) {
-  for (const std::string name : kControlStudies) {
-    const StudyResult result = read_study_file((kScenarios / "studies" / (name + ".toml")).string());
-    ASSERT_TRUE(result.ok()) << result.diagnostics.text();
-    for (const StudyPoint& point : study_points(result.study)) {
-      for (const NamedSettings& variant : result.study.variants) {
-        const StudyScenario made = study_scenario(result.study, point, variant);
-        EXPECT_TRUE(made.diagnostics.ok()) << name << ", " << point.place << ": " << made.diagnostics.text();
+TEST(StudyFiles, EveryPointOfADocumentIsValid) {
+  for (const StudyDocument& document : kDocuments) {
+    for (const std::string& name : document.studies) {
+      const StudyResult result = read_study_file((kScenarios / "studies" / (name + ".toml")).string());
+      ASSERT_TRUE(result.ok()) << result.diagnostics.text();
+      for (const StudyPoint& point : study_points(result.study)) {
+        for (const NamedSettings& variant : result.study.variants) {
+          const StudyScenario made = study_scenario(result.study, point, variant);
+          EXPECT_TRUE(made.diagnostics.ok()) << name << ", " << point.place << ": " << made.diagnostics.text();
+        }
       }
     }
   }
 }
 
-// The document is of the scenarios as they are.
-TEST(StudyFiles, ControlIsJudgedInTheDocument) {
-  const std::string findings = content(kScenarios / "CONTROL_FINDINGS.md");
-  for (const std::string name : kControlStudies) {
-    const StudyResult result = read_study_file((kScenarios / "studies" / (name + ".toml")).string());
-    EXPECT_NE(findings.find("netpocket study " + name + ".toml --report`; scenarios " + study_identity(result.study)),
-              findings.npos)
-        << name << ": make it anew with ./dev control";
+// The documents are of the scenarios as they are.
+TEST(StudyFiles, DocumentsJudgeThem) {
+  for (const StudyDocument& document : kDocuments) {
+    const std::string findings = content(kScenarios / document.file);
+    for (const std::string& name : document.studies) {
+      const StudyResult result = read_study_file((kScenarios / "studies" / (name + ".toml")).string());
+      EXPECT_NE(findings.find("netpocket study " + name + ".toml --report`; scenarios " + study_identity(result.study)),
+                findings.npos)
+          << name << ": make it anew with " << document.command;
+    }
   }
 }
 
