@@ -78,7 +78,7 @@ bool is_the_same_everywhere(const QString& word) {
                            "Shift",     "Alt",   "Esc",  "Del",       "Space", "Home",   "End",   "Return"};
     const auto add_parts = [&words](std::string_view text) {
       const QString whole = QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-      for (const QString& part : whole.split(QRegularExpression("[^A-Za-z]+"))) words << part;
+      for (const QString& part : whole.split(QRegularExpression("[^A-Za-z0-9]+"))) words << part;
     };
     const auto add = [&](std::span<const Parameter> parameters) {
       for (const Parameter& parameter : parameters) {
