@@ -18,7 +18,8 @@ struct SystemParameters {
   std::string_view name;   // "pocket", as scenarios have it
   std::string_view title;  // "Netted pocket"
   std::string_view help;   // one sentence
-  // Names of the tables of Scenario that it uses, beside those that every kind has: the top level, orbit, solver and output.
+  // Names of the tables of Scenario that it uses, beside those that every kind has: the top level, orbit, solver and
+  // output.
   std::vector<std::string_view> shared_groups;
   std::vector<std::string_view> shared_lists = {};  // likewise, of lists of tables
   std::vector<ParameterGroup> groups = {};          // its own tables; they follow the shared ones

@@ -65,8 +65,8 @@ TEST(ParameterTable, DeclaresEveryMember) {
   // Does not compile when a member is added; then declare it in the table and count it here.
   const Scenario s;
   [[maybe_unused]] const auto& [n, d, system, pocket, net, rope, rods, spacecraft, target, contact, closing, towing,
-                                winch, deflation, actuators, orbit, solver, output, controllers, sensors, thrusters, wheels,
-                                disturbances, own, files] = s;
+                                winch, deflation, actuators, orbit, solver, output, controllers, sensors, thrusters,
+                                wheels, disturbances, own, files] = s;
   const auto count = [](std::string_view group) { return parameters_of(*find_parameter_group(group)).size(); };
   EXPECT_EQ(count(""), 3u);
   {
