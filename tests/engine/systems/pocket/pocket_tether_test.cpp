@@ -27,7 +27,7 @@ constexpr const char* kTow =
     "[tether]\nattached = true\nreleased_at = \"time\"\nrelease_time = 2.5\nlength = 1\nelements = 4\n"
     "[towing]\nmode = \"force\"\nstart = 2.5\nsize = 400\nduration = 10\n";
 
-double channel_of(const Snapshot& snapshot, const char* name) {
+double pocket_channel(const Snapshot& snapshot, const char* name) {
   return snapshot.channels[snapshot.channel_list->find(name).value()];
 }
 
@@ -52,22 +52,22 @@ TEST(PocketTether, IsHeldThenTowedOnTheLine) {
   Simulation simulation(scenario);
   ASSERT_EQ(simulation.advance(2.45).reason, RunReason::finished);
   const Snapshot held = simulation.snapshot();
-  EXPECT_EQ(channel_of(held, "hub_held"), 1);
-  EXPECT_NEAR(channel_of(held, "tether_distance"), 0.09, 1e-9) << "stowed";
+  EXPECT_EQ(pocket_channel(held, "hub_held"), 1);
+  EXPECT_NEAR(pocket_channel(held, "tether_distance"), 0.09, 1e-9) << "stowed";
   double tautest = 0, farthest = 0;
   for (double time = 2.6; time < 6; time += 0.02) {
     ASSERT_EQ(simulation.advance(time).reason, RunReason::finished);
     const Snapshot towed = simulation.snapshot();
-    EXPECT_EQ(channel_of(towed, "hub_held"), 0);
-    tautest = std::max(tautest, channel_of(towed, "tether_tension"));
-    farthest = std::max(farthest, channel_of(towed, "tether_distance"));
+    EXPECT_EQ(pocket_channel(towed, "hub_held"), 0);
+    tautest = std::max(tautest, pocket_channel(towed, "tether_tension"));
+    farthest = std::max(farthest, pocket_channel(towed, "tether_distance"));
   }
   EXPECT_GT(tautest, 200) << "pulls more than the tow while the pocket is jerked along";
   EXPECT_NEAR(farthest, 1, 0.05) << "strained by a few parts in a thousand";
   const Snapshot end = simulation.snapshot();
   EXPECT_LT(end.bodies[2].velocity.y(), -0.05) << "the hub follows";
-  EXPECT_LT(std::abs(channel_of(end, "energy_error")),
-            0.02 * (channel_of(end, "energy_dissipated") + channel_of(end, "energy_kinetic")));
+  EXPECT_LT(std::abs(pocket_channel(end, "energy_error")),
+            0.02 * (pocket_channel(end, "energy_dissipated") + pocket_channel(end, "energy_kinetic")));
 }
 
 // Nothing acts from outside: rods, ropes and the release only exchange momentum.
@@ -83,7 +83,7 @@ TEST(PocketTether, ReleaseKeepsMomentum) {
     largest = std::max(largest, momentum_of(model, snapshot).norm());
     moved = std::max(moved, scenario.spacecraft.mass * snapshot.bodies[0].velocity.norm());
   }
-  EXPECT_EQ(channel_of(simulation.snapshot(), "hub_held"), 0);
+  EXPECT_EQ(pocket_channel(simulation.snapshot(), "hub_held"), 0);
   EXPECT_GT(moved, 0.1);
   EXPECT_LT(largest, 0.02 * moved) << "but for the mass that flows in the closing ropes";
 }
@@ -103,23 +103,23 @@ TEST(PocketTether, ClutchOfItsWinchLimitsTheJerk) {
   const double drum = tether.drum_inertia / (tether.drum_radius * tether.drum_radius);
   Simulation simulation(scenario);
   ASSERT_EQ(simulation.advance(2.45).reason, RunReason::finished);
-  EXPECT_EQ(channel_of(simulation.snapshot(), "tether_length"), 1);
+  EXPECT_EQ(pocket_channel(simulation.snapshot(), "tether_length"), 1);
   double speed = 0, largest = 0, longest = 0;
   bool is_taut = false;
   for (double time = 3.5; time < 6; time += 0.002) {
     ASSERT_EQ(simulation.advance(time).reason, RunReason::finished);
     const Snapshot towed = simulation.snapshot();
-    is_taut = is_taut || channel_of(towed, "tether_tension") > 0;
+    is_taut = is_taut || pocket_channel(towed, "tether_tension") > 0;
     if (!is_taut) speed = (towed.bodies[0].velocity - towed.bodies[2].velocity).norm();
-    largest = std::max(largest, channel_of(towed, "tether_tension"));
-    longest = std::max(longest, channel_of(towed, "tether_length"));
+    largest = std::max(largest, pocket_channel(towed, "tether_tension"));
+    longest = std::max(longest, pocket_channel(towed, "tether_length"));
   }
   EXPECT_GT(largest, kSlip);
   EXPECT_LT(largest, kSlip + 1.1 * speed * std::sqrt(stiffness * drum));
   EXPECT_GT(longest, 1.02) << "it has slipped";
   const Snapshot end = simulation.snapshot();
-  EXPECT_LT(std::abs(channel_of(end, "energy_error")),
-            0.02 * (channel_of(end, "energy_dissipated") + channel_of(end, "energy_kinetic")));
+  EXPECT_LT(std::abs(pocket_channel(end, "energy_error")),
+            0.02 * (pocket_channel(end, "energy_dissipated") + pocket_channel(end, "energy_kinetic")));
 }
 
 // Reeled in at a given rate once it is let go, then braked: the length stays.
@@ -128,12 +128,12 @@ TEST(PocketTether, WinchReelsInAndHolds) {
       tethered("[tether]\nattached = true\nreleased_at = \"time\"\nrelease_time = 2.1\nlength = 3\nwinch = true\n"
                "drive = \"rate\"\nrate = -0.4\nbrake_at = 4\n[towing]\nmode = \"none\"\n"));
   ASSERT_EQ(simulation.advance(3.9).reason, RunReason::finished);
-  EXPECT_NEAR(channel_of(simulation.snapshot(), "tether_rate"), -0.4, 1e-3);
+  EXPECT_NEAR(pocket_channel(simulation.snapshot(), "tether_rate"), -0.4, 1e-3);
   ASSERT_EQ(simulation.advance(4.2).reason, RunReason::finished);
-  const double held = channel_of(simulation.snapshot(), "tether_length");
+  const double held = pocket_channel(simulation.snapshot(), "tether_length");
   EXPECT_NEAR(held, 3 - 0.4 * 1.9, 0.02);
   ASSERT_EQ(simulation.advance(5).reason, RunReason::finished);
-  EXPECT_EQ(channel_of(simulation.snapshot(), "tether_length"), held);
+  EXPECT_EQ(pocket_channel(simulation.snapshot(), "tether_length"), held);
 }
 
 TEST(PocketTether, WithoutItThePocketIsAsEver) {
