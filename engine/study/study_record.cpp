@@ -63,6 +63,10 @@ void erase_from(std::string& text, const std::string& first, const std::string& 
   text.erase(begin, end - begin);
 }
 
+ParameterValue default_of(const Parameter& parameter) {
+  return parameter.initial != nullptr ? parameter.initial() : parameter.get(Scenario{});
+}
+
 // Parameters that came after the first studies and whose default changes nothing.
 constexpr std::string_view kLater[] = {"contact.edge_radius",      "solver.most_steps",     "drawstring.passage",
                                        "drawstring.ring_friction", "drawstring.ring_angle", "drawstring.ring_spacing"};
@@ -75,7 +79,7 @@ std::string identified_text(const Scenario& scenario) {
   if (!has_pocket_tether(scenario)) erase_from(text, fmt::format("\n[{}]\n", pocket_tether_group().name), "\n[");
   for (const std::string_view key : kLater) {
     const Parameter* parameter = find_parameter(key, scenario);
-    if (parameter == nullptr || parameter->get(scenario) != parameter->initial()) continue;
+    if (parameter == nullptr || parameter->get(scenario) != default_of(*parameter)) continue;
     erase_from(text, fmt::format("\n{} = ", parameter->name()), "\n");
   }
   if (!scenario.orbit.is_on()) erase_from(text, "\n[orbit]\n", "\n[");
