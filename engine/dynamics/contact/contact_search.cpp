@@ -294,7 +294,11 @@ void ContactSearch::touch(const Meeting& meeting, int holder, const Candidate& c
   // A place that is still apart is judged as if the cord were thicker by `ahead`.
   const bool is_apart = contact.distance >= radius;
   const double thickness = is_apart ? radius + meeting.ahead : radius;
-  const SegmentPlace place = find_deepest(parts_[part], piece, contact, thickness, candidate.weight);
+  // On a large sphere the parabola of the kernel is used, so that a search ahead changes nothing.
+  const WeightedPlace estimate = estimate_deepest(contact, thickness, candidate.weight);
+  const SegmentPlace place = !is_large_sphere_ ? find_deepest(parts_[part], piece, contact, thickness, candidate.weight)
+                             : estimate.is_nearest ? contact.nearest
+                                                   : place_on_segment(parts_[part], piece, estimate.t);
   const WeightedPlace found{place.t, candidate.weight.at(place.t), thickness - place.distance};
   if (!(found.weight > 0)) return;
   CordTouch* touch =
