@@ -27,7 +27,7 @@ class StudyInterruptions : public testing::Test {
   StudyInterruptions() {
     std::filesystem::copy_file(scenario_file("case1.toml"), folder_.file("base.toml"));
     study_ = folder_.write("study.toml", R"(base = "base.toml"
-samples = 60
+samples = 120
 [set]
 pocket.elements_per_side = 1
 pocket.mesh_rows = 2
@@ -85,7 +85,8 @@ TEST_F(StudyInterruptions, TenGiveTheSameTable) {
     fill_disk();
   }
   kill_in("2_of_3", {"--part", "2/3", "--jobs", "1"});
-  EXPECT_FALSE(std::filesystem::exists(folder_.file("out/study.csv")));
+  // Points are left to do. There may be tables of what is done: a full disk leaves them if they fit.
+  EXPECT_LT(size_of("1_of_1"), std::filesystem::file_size(folder_.file("one/records/1_of_1.jsonl")));
   ASSERT_EQ(interruptions_, 10);
   EXPECT_EQ(run_program(words({"--resume", "--jobs", "2"})).exit_code, 0);
   for (const char* table : {"study.csv", "study.json", "study_columns.csv", "study_estimates.csv"}) {
