@@ -1922,6 +1922,10 @@
         <translation>绘出 %2 次捕获中的约 %1 次</translation>
     </message>
     <message>
+        <source>Contours: Kriging of %1 captures, leave-one-out R² %2</source>
+        <translation>等值线：对 %1 次捕获的克里金插值，留一法 R² %2</translation>
+    </message>
+    <message>
         <source>hub</source>
         <translation>中心盘</translation>
     </message>
