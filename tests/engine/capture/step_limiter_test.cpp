@@ -224,6 +224,7 @@ Scenario whipping_ropes() {
   s.closing.duration = 0.466;
   s.closing.closed_length = 4.04;
   s.closing.elements = 2;
+  s.target.position = {0, 200, 0};  // out of reach: the question is how steps follow bends, not contacts
   s.output.end_time = 1;
   s.output.frame_rate = 25;
   return s;  // which a file could not say: no matter is that dense
@@ -234,8 +235,7 @@ TEST(Caution, FollowsCordsThatVibrateWithinAnInterval) {
   ASSERT_EQ(simulation.advance(1).reason, RunReason::finished);
   const Snapshot end = simulation.snapshot();
   EXPECT_GT(end.channel(Channel::energy_input), 1e5);
-  // 0.9 and 1.1 % in two orders of summation.
-  EXPECT_LT(std::abs(end.channel(Channel::energy_error)), 0.02 * end.channel(Channel::energy_input));
+  EXPECT_LT(std::abs(end.channel(Channel::energy_error)), 0.01 * end.channel(Channel::energy_input));
 }
 
 TEST(Caution, WatchingIsPartOfTheState) {
