@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "engine/analysis/summary.h"
@@ -23,11 +24,15 @@ class TextList {
   }
 
   std::string texts() const {
-    std::string list;
+    constexpr std::size_t kWidth = 120;  // several short texts stand on a line
+    std::string list, line = "   ";
     for (const Entry& entry : entries_) {
       if (!entry.table.empty()) continue;
-      list += fmt::format("    QT_TRANSLATE_NOOP(\"{}\", \"{}\"),\n", entry.context, escaped(entry.text));
+      const std::string text = fmt::format(" QT_TRANSLATE_NOOP(\"{}\", \"{}\"),", entry.context, escaped(entry.text));
+      if (line != "   " && line.size() + text.size() > kWidth) list += std::exchange(line, "   ") + '\n';
+      line += text;
     }
+    list += line + '\n';
     return header("Texts of parameters, findings and scenarios", "kGeneratedTexts[]", list);
   }
 
