@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engine/bodies/triangle_mesh.h"
 #include "engine/math/symmetric_algebra.h"
@@ -185,63 +186,113 @@ WeightedPlace estimate_deepest(const SegmentContact& contact, double radius, con
 
 namespace {
 
+// Distance of the places of a piece from a part, with its slope along the piece.
+class DistanceAlong {
+ public:
+  struct Found {
+    double distance, slope;  // m, m per unit of t
+    Vector3d normal;
+  };
+  DistanceAlong(const ContactPart& part, const Segment& segment) : part_(part), segment_(segment) {}
+
+  Found at(double t) const {
+    const SurfacePoint found = part_.nearest(point_at(segment_, t));
+    return {found.distance, symmetric_dot(found.normal, segment_.end - segment_.start), found.normal};
+  }
+  SegmentPlace place(double t, const Found& found) const { return {t, found.distance, found.normal}; }
+
+ private:
+  const ContactPart& part_;
+  const Segment& segment_;
+};
+
+// The same from a sphere, by Pythagoras about the foot of the perpendicular from its centre.
+class DistanceFromSphere {
+ public:
+  struct Found {
+    double distance, slope;
+  };
+  DistanceFromSphere(const ContactPart& part, double radius, const Segment& segment)
+      : start_(segment.start - part.centre), along_(segment.end - segment.start), radius_(radius) {
+    square_ = symmetric_squared_norm(along_);
+    foot_ = square_ > 0 ? -symmetric_dot(start_, along_) / square_ : 0;
+    apart_ = symmetric_squared_norm(Vector3d(start_ + foot_ * along_));
+  }
+
+  Found at(double t) const {
+    const double way = t - foot_, from_centre = std::sqrt(apart_ + way * way * square_);
+    return {from_centre - radius_, from_centre > 0 ? way * square_ / from_centre : 0};
+  }
+  SegmentPlace place(double t, const Found& found) const {
+    const Vector3d arm = start_ + t * along_;
+    const double from_centre = found.distance + radius_;
+    return {t, found.distance, from_centre > 0 ? Vector3d(arm / from_centre) : Vector3d::UnitY()};
+  }
+
+ private:
+  Vector3d start_, along_;
+  double radius_, square_, foot_, apart_;
+};
+
 // Looks for the zero of the slope of weight * depth^2.5 between the nearest place and the end of the larger weight. The
 // slope, over 2/5 of weight * depth^1.5, is weight' depth + 2.5 weight depth'. It falls all along where the solid is
 // convex.
+template <typename Distance>
 class DeepestSearch {
  public:
-  DeepestSearch(const ContactPart& part, const Segment& segment, const SegmentContact& contact, double radius,
+  DeepestSearch(const Distance& distance, const SegmentContact& contact, double length, double radius,
                 const PieceWeight& weight)
-      : part_(part), segment_(segment), contact_(contact), radius_(radius), weight_(weight) {}
+      : distance_(distance), contact_(contact), length_(length), radius_(radius), weight_(weight) {}
 
   SegmentPlace find() {
     constexpr int kMostTrials = 30;
     constexpr double kFlat = 0.01;   // slope that is left, by that at the nearest place
     constexpr double kClose = 1e-7;  // m: places nearer than this to each other are one
-    const double end = rise() > 0 ? 1 : 0;
-    Trial low{contact_.nearest, std::abs(rise()) * (radius_ - contact_.nearest.distance)};
-    const double steepest = low.slope, length = symmetric_norm(segment_.end - segment_.start);
-    if (contact_.nearest.t == end) return contact_.nearest;
-    Trial high = trial(end);
-    if (high.slope >= 0) return high.place;
-    for (int i = 0; i < kMostTrials && std::abs(high.place.t - low.place.t) * length > kClose; ++i) {
-      const Trial next = trial(guess(low, high, i));
-      if (std::abs(next.slope) <= kFlat * steepest) return next.place;
-      (next.slope > 0 ? low : high) = next;
+    const DepthAt end = at_heavier_end(contact_, radius_, weight_);
+    const double from = contact_.nearest.t;
+    if (from == end.t) return contact_.nearest;
+    const double steepest = std::abs(rise()) * (radius_ - contact_.nearest.distance);
+    Bound low{from, steepest}, high{end.t, kUnknown};
+    // The depth at the end is known, but not its slope. So the first place is the parabola's.
+    double t = deepest_of_parabola(contact_, radius_, weight_, end).t;
+    for (int i = 0; i < kMostTrials && std::abs(high.t - low.t) * length_ > kClose; ++i) {
+      const Found found = distance_.at(t);
+      const double slope = slope_at(t, found);
+      if (std::abs(slope) <= kFlat * steepest || (t == end.t && slope >= 0)) return distance_.place(t, found);
+      (slope > 0 ? low : high) = {t, slope};
+      t = high.slope == kUnknown ? end.t : guess(low, high, radius_ - found.distance, i);
     }
-    return low.place;
+    return low.t == from ? contact_.nearest : distance_.place(low.t, distance_.at(low.t));
   }
 
  private:
-  struct Trial {
-    SegmentPlace place;
-    double slope;  // towards the end of the larger weight
+  using Found = typename Distance::Found;
+  static constexpr double kUnknown = -std::numeric_limits<double>::infinity();
+  struct Bound {
+    double t, slope;  // towards the end of the larger weight
   };
   double rise() const { return weight_.at_end - weight_.at_start; }
 
-  Trial trial(double t) const {
-    const SegmentPlace place = place_on_segment(part_, segment_, t);
-    const double deepening = -symmetric_dot(place.normal, segment_.end - segment_.start);
-    const double slope = rise() * (radius_ - place.distance) + 2.5 * weight_.at(t) * deepening;
-    return {place, rise() > 0 ? slope : -slope};
+  double slope_at(double t, const Found& found) const {
+    const double slope = rise() * (radius_ - found.distance) - 2.5 * weight_.at(t) * found.slope;
+    return rise() > 0 ? slope : -slope;
   }
 
-  // In turn the parabola through the nearest place and `high`, and the secant of the slopes.
-  double guess(const Trial& low, const Trial& high, int number) const {
-    const double from = low.place.t, to = high.place.t;
-    double t = from + (to - from) * low.slope / (low.slope - high.slope);
-    if (number % 2 == 0 && from == contact_.nearest.t) {
-      t = deepest_of_parabola(contact_, radius_, weight_, {to, radius_ - high.place.distance}).t;
+  // In turn the secant of the slopes, and the parabola through the nearest place and `high`, where the depth is
+  // `depth`.
+  double guess(const Bound& low, const Bound& high, double depth, int number) const {
+    double t = low.t + (high.t - low.t) * low.slope / (low.slope - high.slope);
+    if (number % 2 == 1 && low.t == contact_.nearest.t) {
+      t = deepest_of_parabola(contact_, radius_, weight_, {high.t, depth}).t;
     }
     constexpr double kInside = 1e-3;
-    const double margin = kInside * (to - from);
-    return std::clamp(t, std::min(from + margin, to - margin), std::max(from + margin, to - margin));
+    const double margin = kInside * (high.t - low.t);
+    return std::clamp(t, std::min(low.t + margin, high.t - margin), std::max(low.t + margin, high.t - margin));
   }
 
-  const ContactPart& part_;
-  const Segment& segment_;
+  const Distance& distance_;
   const SegmentContact& contact_;
-  double radius_;
+  double length_, radius_;
   PieceWeight weight_;
 };
 
@@ -249,7 +300,11 @@ class DeepestSearch {
 
 SegmentPlace find_deepest(const ContactPart& part, const Segment& segment, const SegmentContact& contact, double radius,
                           const PieceWeight& weight) {
-  return DeepestSearch(part, segment, contact, radius, weight).find();
+  const double length = symmetric_norm(segment.end - segment.start);
+  if (const auto* sphere = std::get_if<Sphere>(&part.solid)) {
+    return DeepestSearch(DistanceFromSphere(part, sphere->radius, segment), contact, length, radius, weight).find();
+  }
+  return DeepestSearch(DistanceAlong(part, segment), contact, length, radius, weight).find();
 }
 
 SegmentPlace place_on_segment(const ContactPart& part, const Segment& segment, double t) {

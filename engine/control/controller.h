@@ -36,6 +36,8 @@ class Measurements {
   const Eigen::Vector3d& contact_impulse(std::int32_t body) const { return system_->contact_impulse(body); }
   // Mean tension (N) of a rope.
   double rope_tension(std::int32_t rope) const { return system_->rope_tension(rope); }
+  // Of the first ropes (N, by rope).
+  void rope_tensions(std::span<double> tensions) const { system_->rope_tensions(tensions); }
 
  private:
   const CableSystem* system_;

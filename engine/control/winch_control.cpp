@@ -92,9 +92,7 @@ void WinchControl::update(const Measurements& measurements, double interval, Com
   const double now = measurements.time();
   longest_step_ = std::max(longest_step_, interval);
   law_.follow_start();
-  for (std::size_t rope = 0; rope < tensions_.size(); ++rope) {
-    tensions_[rope] = measurements.rope_tension(static_cast<std::int32_t>(rope));
-  }
+  measurements.rope_tensions(tensions_);
   if (sensor_) sensor_->look(now, tensions_);
   for (std::size_t rope = 0; rope < winches_.size(); ++rope) {
     Winch& winch = winches_[rope];

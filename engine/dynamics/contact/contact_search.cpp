@@ -475,8 +475,9 @@ void ContactSearch::append(Open& open, const CordTouch& touch, std::vector<CordT
   if (is_better) open.best = static_cast<std::int32_t>(touches.size()) - 1;
 }
 
-// The vertex at a holder lies between its two sides. Touches of elements that are computed together come together.
+// The vertex at a holder lies between its two sides.
 void ContactSearch::finish_holders(std::vector<CordTouch>& touches) {
+  const std::size_t found = touches.size();
   for (Open& open : open_) {
     if (open.sides == 0) continue;
     const int count = open.ends - (open.sides - 1);
@@ -485,7 +486,20 @@ void ContactSearch::finish_holders(std::vector<CordTouch>& touches) {
     at_holder.share = count;
     append(open, at_holder, touches);
   }
-  std::ranges::stable_sort(touches, {}, [](const CordTouch& touch) { return touch.first_element / kBlockSize; });
+  sort_by_block(touches, found);
+}
+
+// Touches of elements that are computed together come together. The first `found` mostly do so already.
+void ContactSearch::sort_by_block(std::vector<CordTouch>& touches, std::size_t found) {
+  const auto block_of = [](const CordTouch& touch) { return touch.first_element / kBlockSize; };
+  const std::span all(touches);
+  for (const std::span part : {all.first(found), all.subspan(found)}) {
+    if (!std::ranges::is_sorted(part, {}, block_of)) std::ranges::stable_sort(part, {}, block_of);
+  }
+  if (found == touches.size()) return;
+  sorted_.resize(touches.size());
+  std::ranges::merge(all.first(found), all.subspan(found), sorted_.begin(), {}, block_of, block_of);
+  std::swap(touches, sorted_);
 }
 
 }  // namespace netpocket

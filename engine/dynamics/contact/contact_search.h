@@ -151,6 +151,7 @@ class ContactSearch {
   };
   static void append(Open& open, const CordTouch& touch, std::vector<CordTouch>& touches);
   void finish_holders(std::vector<CordTouch>& touches);
+  void sort_by_block(std::vector<CordTouch>& touches, std::size_t found);
   CordTouch* claim(std::int32_t element, std::int32_t part, int place, double score, std::vector<CordTouch>& touches);
   std::size_t holder_index(std::int32_t element, int holder) const;
 
@@ -169,7 +170,7 @@ class ContactSearch {
   AlignedVector<double> rows_;       // vertices of one block
   SphereTouches sphere_touches_;
   std::vector<Open> open_;
-  std::vector<CordTouch> at_holders_;
+  std::vector<CordTouch> at_holders_, sorted_;
   // By part and holder: index into open_, or -1.
   std::vector<std::vector<std::int32_t>> holder_touch_;
   std::vector<std::pair<std::int32_t, std::size_t>> taken_;  // part and holder of these entries

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "engine/dynamics/contact/contact_blocks.h"
 #include "engine/dynamics/contact/contact_stop.h"
@@ -252,24 +253,33 @@ void ContactSolver::list_places(std::size_t first_block) {
   }
 }
 
-// Springs begin at their offsets; the offsets of contacts that are no more are forgotten.
+// Springs begin at their offsets. The springs of a holder have one offset, which is at most their greatest depth. The
+// offsets of holders that touch no more are forgotten.
 void ContactSolver::apply_offsets(Partner& partner, double body_mass) {
   std::vector<SpringOffsets::Place> present;
-  for (std::size_t i = partner.first; i < partner.last; ++i) {
-    ContactBlock& block = contacts_[i];
-    for_each_lane(block, [&](int lane) {
-      const SpringOffsets::Place place(block.part[lane], block.holder[lane]);
-      const double depth = block.penetration[lane];
-      const double offset =
-          block.is_extra[lane] ? std::min(partner.offsets.of(place), depth) : partner.offsets.follow(place, depth);
-      const ContactLaw& law =
-          partner.laws.of(block.element[lane], block.part[lane], block.is_cord_end[lane], body_mass);
-      block.penetration[lane] = depth - offset;
-      block.offset[lane] = offset;
-      if (block.share[lane] > 0) block.deepest[lane] = std::min(law.impact, law.deepest - offset);
-      present.push_back(place);
-    });
+  std::map<SpringOffsets::Place, double> deepest;
+  const auto for_each_of_partner = [&](const auto& function) {
+    for (std::size_t i = partner.first; i < partner.last; ++i) {
+      ContactBlock& block = contacts_[i];
+      for_each_lane(
+          block, [&](int lane) { function(block, lane, SpringOffsets::Place(block.part[lane], block.holder[lane])); });
+    }
+  };
+  for_each_of_partner([&](const ContactBlock& block, int lane, const SpringOffsets::Place& place) {
+    double& depth = deepest[place];
+    depth = std::max(depth, block.penetration[lane]);
+  });
+  for (const auto& [place, depth] : deepest) {
+    partner.offsets.follow(place, depth);
+    present.push_back(place);
   }
+  for_each_of_partner([&](ContactBlock& block, int lane, const SpringOffsets::Place& place) {
+    const double depth = block.penetration[lane], offset = std::min(partner.offsets.of(place), std::max(depth, 0.0));
+    const ContactLaw& law = partner.laws.of(block.element[lane], block.part[lane], block.is_cord_end[lane], body_mass);
+    block.penetration[lane] = depth - offset;
+    block.offset[lane] = offset;
+    if (block.share[lane] > 0) block.deepest[lane] = std::min(law.impact, law.deepest - offset);
+  });
   partner.offsets.keep_only(std::move(present));
 }
 
@@ -289,23 +299,25 @@ double ContactSolver::stiffness_step_for(double dt) const {
   return step;
 }
 
-// A spring stores 2/5 K s^2.5 at the compression s. With another stiffness K it stores the same at a compression in
-// proportion to K^-0.4. A spring cannot begin outside the surface.
+// The springs of each holder keep the energy that they store together.
 void ContactSolver::fit_stiffness(double dt, const std::vector<DynamicBody>& bodies) {
   steps_.present = stiffness_step_for(dt);
-  for (Partner& partner : partners_) partner.laws.set_steps(steps_);
-  for_each_contact([&](const ContactBlock& block, int lane) {
-    const double compression = block.penetration[lane], depth = compression + block.offset[lane];
-    if (!(compression > 0) || block.is_extra[lane]) return;
-    const auto body = static_cast<std::size_t>(block.body);
-    const double stiffness =
-        partners_[body]
-            .laws.of(block.element[lane], block.part[lane], block.is_cord_end[lane], bodies[body].least_mass())
-            .law.stiffness;
-    const double root = fifth_root(block.stiffness[lane] / stiffness);
-    partners_[body].offsets.set({block.part[lane], block.holder[lane]},
-                                std::max(depth - root * root * compression, 0.0));
-  });
+  for (std::size_t b = 0; b < partners_.size(); ++b) {
+    Partner& partner = partners_[b];
+    partner.laws.set_steps(steps_);
+    std::map<SpringOffsets::Place, std::vector<ChangingSpring>> holders;
+    for (const std::int32_t place : places_of(partner)) {
+      const ContactBlock& block = contacts_[static_cast<std::size_t>(place / kBlockSize)];
+      const int lane = place % kBlockSize;
+      const double next =
+          partner.laws.of(block.element[lane], block.part[lane], block.is_cord_end[lane], bodies[b].least_mass())
+              .law.stiffness;
+      holders[{block.part[lane], block.holder[lane]}].push_back({block.share[lane],
+                                                                 block.penetration[lane] + block.offset[lane],
+                                                                 block.penetration[lane], block.stiffness[lane], next});
+    }
+    for (const auto& [place, springs] : holders) partner.offsets.set(place, offset_of_same_energy(springs));
+  }
 }
 
 void ContactSolver::visit_state(const std::function<void(double&)>& visit) {

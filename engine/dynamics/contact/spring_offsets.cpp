@@ -2,7 +2,41 @@
 
 #include <algorithm>
 
+#include "engine/contact/force_law.h"
+#include "engine/math/elementary.h"
+
 namespace netpocket {
+namespace {
+
+double energy_with(std::span<const ChangingSpring> springs, double offset) {
+  double energy = 0;
+  for (const ChangingSpring& s : springs) energy += s.share * elastic_energy({s.stiffness, 0}, s.depth - offset);
+  return energy;
+}
+
+}  // namespace
+
+// One spring stores 2/5 K s^2.5 at the compression s. With another stiffness K it stores the same at a compression in
+// proportion to K^-0.4. The energy of several falls with their offset as long as together they push outwards.
+double offset_of_same_energy(std::span<const ChangingSpring> springs) {
+  double deepest = 0, energy = 0;
+  for (const ChangingSpring& s : springs) {
+    deepest = std::max(deepest, s.depth);
+    energy += s.share * elastic_energy({s.stiffness_before, 0}, s.compression);
+  }
+  if (springs.size() == 1) {
+    const double root = fifth_root(springs.front().stiffness_before / springs.front().stiffness);
+    return std::clamp(springs.front().depth - root * root * springs.front().compression, 0.0, deepest);
+  }
+  double low = 0, high = deepest;
+  if (energy_with(springs, low) <= energy) return low;
+  constexpr int kHalvings = 60;  // to round-off
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    (energy_with(springs, middle) > energy ? low : high) = middle;
+  }
+  return high;
+}
 
 SpringOffsets::SpringOffsets(std::size_t parts, std::size_t holders)
     : offsets_(parts, std::vector<double>(holders, 0.0)) {}

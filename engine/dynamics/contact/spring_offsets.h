@@ -9,10 +9,23 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <utility>
 #include <vector>
 
 namespace netpocket {
+
+// A spring of a holder whose stiffness changes.
+struct ChangingSpring {
+  double share;             // of the holder's stiffness; negative where it takes back what others count twice
+  double depth;             // m
+  double compression;       // m, before the change
+  double stiffness_before;  // N/m^1.5
+  double stiffness;         // N/m^1.5, after it
+};
+// The offset (m) with which springs of one holder store after the change what they stored before it. 0 if they store
+// less even with no offset.
+double offset_of_same_energy(std::span<const ChangingSpring> springs);
 
 class SpringOffsets {
  public:

@@ -20,11 +20,13 @@ ElementCoordinates gather(const CoordinateVectors& vectors, const std::array<std
 struct RopeKernels {
   rope_kernel::ForceKernel forces;
   rope_kernel::EnergyKernel energy_change;
+  rope_kernel::TensionKernel tensions;
 };
 
 const RopeKernels& rope_kernels() {
   static const RopeKernels chosen = {NETPOCKET_VARIANT_OF(rope_kernel, forces),
-                                     NETPOCKET_VARIANT_OF(rope_kernel, energy_change)};
+                                     NETPOCKET_VARIANT_OF(rope_kernel, energy_change),
+                                     NETPOCKET_VARIANT_OF(rope_kernel, tensions)};
   return chosen;
 }
 
@@ -77,6 +79,10 @@ void RopeDynamics::collect_blocks() {
     RopeBlock& block = blocks_.back();
     const int lane = block.count++;
     block.mass_per_length[lane] = rope.section.mass_per_length;
+    block.rope[lane] = static_cast<std::int32_t>(&rope - ropes_.data());
+    block.axial_stiffness[lane] = rope.section.EA;
+    block.compression[lane] = rope.section.compression;
+    block.axial_damping[lane] = rope.section.axial_damping;
     for (int corner = 0; corner < 4; ++corner) block.coordinate[corner][lane] = rope.indices[i][corner];
   });
 }
@@ -190,6 +196,28 @@ double RopeDynamics::energy_change(const CoordinateVectors& coordinates, const C
     change += 0.5 * gained * squared_norm(velocities.get(coordinate));
   });
   return change;
+}
+
+void RopeDynamics::mean_tensions(const CoordinateVectors& coordinates, const CoordinateVectors& velocities,
+                                 std::span<double> tensions) const {
+  std::ranges::fill(tensions, 0.0);
+  SpanRows spans;
+  alignas(64) double of_lanes[kBlockSize];
+  std::size_t place = 0;
+  const auto end_block = [&](const RopeBlock& block) {
+    rope_kernels().tensions(coordinates.rows(), velocities.rows(), spans, block, of_lanes);
+    for (int lane = 0; lane < block.count; ++lane) {
+      const auto rope = static_cast<std::size_t>(block.rope[lane]);
+      if (rope < tensions.size()) tensions[rope] += of_lanes[lane] / static_cast<double>(ropes_[rope].elements.size());
+    }
+  };
+  for_each_element([&](const Rope& rope, std::size_t i) {
+    const RopeBlock& block = blocks_[place / kBlockSize];
+    const int lane = static_cast<int>(place % kBlockSize);
+    set_lane(spans, lane, rope.span_at(rope.now, i));
+    if (lane + 1 == block.count) end_block(block);
+    ++place;
+  });
 }
 
 RopeDynamics::FlowEnergy RopeDynamics::flow_energy(const CoordinateVectors& coordinates,

@@ -60,6 +60,10 @@ class RopeDynamics {
   // motion becomes the present one.
   void finish_step(double dt);
 
+  // Mean tensions (N) of the elements of the first ropes at their present motion, by the mean-strain evaluation.
+  void mean_tensions(const CoordinateVectors& coordinates, const CoordinateVectors& velocities,
+                     std::span<double> tensions) const;
+
   // Kinetic energy (J) of the flow, in excess of that of lumped masses at their nodes' velocities, and flow_work (J) of
   // ancf/variable_length.h.
   struct FlowEnergy {

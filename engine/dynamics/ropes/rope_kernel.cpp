@@ -1,5 +1,5 @@
 // Compiled once per instruction set; NETPOCKET_ISA_NAME is the variant's namespace. The formulas and notation are those
-// of ancf/variable_length.h.
+// of ancf/variable_length.h and ancf/mean_strain_element.h.
 
 #include "engine/dynamics/ropes/rope_kernel.h"
 
@@ -90,6 +90,33 @@ void forces(const CoordinateRows& coordinates, const CoordinateRows& velocities,
     store3(block.force[1][0], 0, part, (inverse_kick * lost_slope) * gather_corner(velocities, block, 1, part));
     store3(block.force[2][0], 0, part, inverse_kick * impulse2 - carried);
     store3(block.force[3][0], 0, part, (inverse_kick * lost_slope) * gather_corner(velocities, block, 3, part));
+  }
+}
+
+void tensions(const CoordinateRows& coordinates, const CoordinateRows& velocities, const SpanRows& spans,
+              const RopeBlock& block, double* tensions) {
+  const SimdDouble one = broadcast(1), two = broadcast(2), four = broadcast(4), zero = broadcast(0);
+  for (int part = 0; part < kParts; ++part) {
+    const Span span = load_span(spans, part);
+    const SimdDouble inverse_length = one / span.length;
+    const SimdVector e =
+        inverse_length * (gather_corner(coordinates, block, 2, part) - gather_corner(coordinates, block, 0, part));
+    const SimdVector h1 = gather_corner(coordinates, block, 1, part) - e;
+    const SimdVector h2 = gather_corner(coordinates, block, 3, part) - e;
+    const SimdDouble waviness = two * (squared_norm(h1) + squared_norm(h2)) - dot(h1, h2);
+    const SimdDouble strain = broadcast(0.5) * (squared_norm(e) - one + waviness / broadcast(15));
+
+    const SimdVector chord_rate =
+        inverse_length * (gather_corner(velocities, block, 2, part) - gather_corner(velocities, block, 0, part));
+    const SimdVector e_rate = chord_rate - (inverse_length * (span.end_rate - span.start_rate)) * e;
+    const SimdVector h1_rate = gather_corner(velocities, block, 1, part) - e_rate;
+    const SimdVector h2_rate = gather_corner(velocities, block, 3, part) - e_rate;
+    const SimdDouble of_waviness = dot(four * h1 - h2, h1_rate) + dot(four * h2 - h1, h2_rate);
+    const SimdDouble strain_rate = dot(e, e_rate) + of_waviness / broadcast(30);
+
+    const SimdDouble stiffness = load(block.axial_stiffness, part), pressed = load(block.compression, part) * stiffness;
+    store(tensions, part,
+          (strain < zero ? pressed : stiffness) * (strain + load(block.axial_damping, part) * strain_rate));
   }
 }
 

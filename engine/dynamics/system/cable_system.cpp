@@ -300,6 +300,13 @@ double CableSystem::rope_tension(std::int32_t rope) const {
   const auto ring_rope = impl_->ring_rope(rope);
   return ring_rope ? impl_->ring_ropes.tension(*ring_rope) : impl_->element_states.rope_tension(rope);
 }
+void CableSystem::rope_tensions(std::span<double> tensions) const {
+  const std::size_t wound = std::min(tensions.size(), static_cast<std::size_t>(impl_->elements.ropes().rope_count()));
+  impl_->element_states.rope_tensions(tensions.first(wound));
+  for (std::size_t rope = wound; rope < tensions.size(); ++rope) {
+    tensions[rope] = impl_->ring_ropes.tension(rope - wound);
+  }
+}
 std::vector<double> CableSystem::ring_rope_lengths(std::int32_t ring_rope) const {
   return impl_->ring_ropes.lengths(static_cast<std::size_t>(ring_rope));
 }

@@ -124,6 +124,8 @@ class CableSystem {
   // Tension (N) that winches of a rope feel, at present, for the velocities of the last half step: the mean of its
   // elements, or of the two end parts of a rope through rings.
   double rope_tension(std::int32_t rope) const;
+  // The same (N) of the first ropes, by rope, in less time. Equal to round-off.
+  void rope_tensions(std::span<double> tensions) const;
   // Natural lengths (m) and tensions (N) of the parts of a rope through rings, an index into Model::ring_ropes.
   std::vector<double> ring_rope_lengths(std::int32_t ring_rope) const;
   std::vector<double> ring_rope_tensions(std::int32_t ring_rope) const;

@@ -102,6 +102,13 @@ double ElementStates::rope_tension(std::int32_t rope) const {
   return sum / static_cast<double>(count);
 }
 
+void ElementStates::rope_tensions(std::span<double> tensions) const {
+  if (!elements_.is_full()) return elements_.ropes().mean_tensions(state_.coordinates, state_.velocities, tensions);
+  for (std::size_t rope = 0; rope < tensions.size(); ++rope) {
+    tensions[rope] = rope_tension(static_cast<std::int32_t>(rope));
+  }
+}
+
 double ElementStates::stable_step(const StableStep& straight) {
   if (elements_.is_full()) return stable_step_of_full(straight);
   refresh();

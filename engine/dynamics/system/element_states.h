@@ -26,6 +26,8 @@ class ElementStates {
 
   // Mean tension (N) of a rope's elements, at the rope's present motion. Needs no refresh.
   double rope_tension(std::int32_t rope) const;
+  // The same of the first ropes, equal to round-off.
+  void rope_tensions(std::span<double> tensions) const;
 
   // As CableSystem::stable_step_as_bent. Brings the values to the present state.
   double stable_step(const StableStep& straight);

@@ -448,5 +448,53 @@ TEST_F(VerificationKernels, Ropes) {
       });
 }
 
+TEST_F(VerificationKernels, RopeTensions) {
+  CoordinateVectors coordinates(kElementCoordinates), velocities(kElementCoordinates);
+  for (int coordinate = 0; coordinate < kElementCoordinates; ++coordinate) {
+    coordinates.set(coordinate, vector(1));
+    velocities.set(coordinate, vector(2));
+  }
+  RopeBlock block{};
+  SpanRows spans{};
+  std::array<CableSection, kBlockSize> sections;
+  for (int lane = 0; lane < kBlockSize; ++lane) {
+    sections[lane] = {.EA = uniform(1, 100), .axial_damping = uniform(0, 0.1), .compression = uniform(0, 1)};
+    block.axial_stiffness[lane] = sections[lane].EA;
+    block.compression[lane] = sections[lane].compression;
+    block.axial_damping[lane] = sections[lane].axial_damping;
+    spans.length[lane] = uniform(0.5, 4);
+    spans.start_rate[lane] = uniform(-1, 1);
+    spans.end_rate[lane] = uniform(-1, 1);
+    for (int corner = 0; corner < 4; ++corner)
+      block.coordinate[corner][lane] = (11 * lane + 5 * corner) % kElementCoordinates;
+  }
+  double difference = 0;
+  int compressed = 0;
+  std::array<double, kBlockSize> first{};
+  for_each_instruction_set<rope_kernel::TensionKernel>(
+      rope_kernel::baseline::tensions, rope_kernel::avx2::tensions, rope_kernel::avx512::tensions,
+      [&](const std::string& name, rope_kernel::TensionKernel kernel) {
+        alignas(64) std::array<double, kBlockSize> result{};
+        kernel(coordinates.rows(), velocities.rows(), spans, block, result.data());
+        if (name == "baseline") first = result;
+        for (int lane = 0; lane < kBlockSize; ++lane) {
+          ElementCoordinates q, v;
+          for (int corner = 0; corner < 4; ++corner) {
+            q.col(corner) = coordinates.get(block.coordinate[corner][lane]);
+            v.col(corner) = velocities.get(block.coordinate[corner][lane]);
+          }
+          const MaterialSpan span{
+              .length = spans.length[lane], .start_rate = spans.start_rate[lane], .end_rate = spans.end_rate[lane]};
+          const MeanStrainElement element(sections[lane], span);
+          if (element.strain(q) < 0) ++compressed;
+          const double size = sections[lane].EA * (std::abs(element.strain(q)) + 1);
+          difference = std::max(difference, std::abs(result[lane] - element.tension(q, v)) / size);
+          EXPECT_EQ(result[lane], first[lane]) << name;
+        }
+      });
+  EXPECT_GT(compressed, 0);
+  expect_below("tension kernel of ropes against its readable form, relative", difference, 1e-13, "round-off");
+}
+
 }  // namespace
 }  // namespace netpocket
