@@ -194,21 +194,23 @@ struct Simulation::Impl {
   void step() {
     if (interval < 0 || steps_in_interval == interval_steps) begin_interval();
     controls.before_step(time_step);
-    const auto unresolved = [this] {
+    const auto stops = [this] {
       const SafeguardCounts& counts = system.safeguards();
-      return counts.stopped_blows + counts.unresolved_contacts + counts.stopped_cords;
+      return counts.stopped_blows + counts.stopped_cords;
     };
-    const std::int64_t unresolved_before = unresolved();
+    const std::int64_t stops_before = stops();
     StepLimiter& limiter = step_choice.limiter();
     if (scenario.solver.time_step == 0 && limiter.factor() < 1) system.note_shortened_step();
-    system.step(time_step);
+    system.step(time_step, time_step * limiter.spring_factor() / limiter.factor());
     controls.after_step(time_step);
     limiter.note_penetration(system.penetration());
-    const bool is_unresolved = unresolved() > unresolved_before;
-    if (is_unresolved) limiter.note_unresolved_contacts();
+    const bool has_stopped = stops() > stops_before;
+    if (has_stopped) limiter.note_blow();
+    if (limiter.is_for_load()) limiter.note_load(system.contact_load());
+    const bool is_resolved = limiter.note_squared_phase(system.contact_squared_phase()) && !has_stopped;
     if (++steps_in_interval == interval_steps) {
       end_interval();
-    } else if (scenario.solver.time_step == 0 && (is_unresolved || step_choice.is_outgrown(time_step))) {
+    } else if (scenario.solver.time_step == 0 && (!is_resolved || step_choice.is_outgrown(time_step))) {
       divide_rest();
     }
   }

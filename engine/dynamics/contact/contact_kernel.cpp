@@ -111,21 +111,22 @@ NETPOCKET_INLINE SimdDouble shared_inverse_mass(const ForceView& view, const Con
 
 // As stepped_normal_force, but at least the force that stops an approach at the greatest depth.
 struct Push {
-  SimdDouble force, is_stopped, is_unresolved;
+  SimdDouble force, is_stopped, squared_phase;
 };
 NETPOCKET_INLINE Push normal_force(const ForceView& view, const ContactBlock& c, int part, const SimdDouble& elastic,
                                    const SimdDouble& before, const SimdDouble& after, const SimdDouble& w) {
   const SimdDouble dt = broadcast(view.dt), zero = broadcast(0.0), one = broadcast(1.0), half = broadcast(0.5);
   const SimdDouble stiffness = load(c.stiffness, part), penetration = load(c.penetration, part);
   const SimdDouble root = square_root(larger(penetration, zero));
-  const SimdDouble implicit = larger(broadcast(1.5) * stiffness * root * dt - one / (dt * w), zero);
+  const SimdDouble gained = broadcast(1.5) * stiffness * root * dt, compliance = dt * w;
+  const SimdDouble implicit = larger(gained - one / compliance, zero);
   const SimdDouble damping = load(c.damping, part) * square_root(root);
   const SimdDouble unopposed = elastic - implicit * after - damping * half * (before + after);
   const SimdDouble push = unopposed / (one + dt * w * (implicit + half * damping));
   const SimdDouble allowed = larger(load(c.deepest, part) - penetration, zero) / dt;
   const SimdDouble stopping = (-allowed - after) / (dt * w);
   const SimdDouble force = larger(push, zero);
-  return {larger(force, stopping), stopping > force ? one : zero, implicit > zero ? one : zero};
+  return {larger(force, stopping), stopping > force ? one : zero, gained * compliance};
 }
 
 NETPOCKET_INLINE SimdDouble spring_force(const ContactBlock& c, int part) {
@@ -193,7 +194,7 @@ void forces(const ForceView& view, const BodyMotion& body, ContactBlock* contact
       const SimdVector after = velocity_at_places(view.predicted, c, part) - surface;
       const SimdDouble separation = dot(after, normal);
       const SimdDouble elastic = spring_force(c, part), share = load(c.share, part);
-      const auto [own_push, is_stopped, is_unresolved] = normal_force(view, c, part, elastic, approach, separation, w);
+      const auto [own_push, is_stopped, squared_phase] = normal_force(view, c, part, elastic, approach, separation, w);
       // What takes back a spring's force takes back nothing else.
       const SimdDouble push = share < broadcast(0.0) ? elastic : own_push;
       const SimdVector sliding = after - separation * normal;
@@ -207,7 +208,7 @@ void forces(const ForceView& view, const BodyMotion& body, ContactBlock* contact
       store(c.damping_power, part, -((shared_push - shared_elastic) * approach));
       store(c.friction_power, part, shared_push * approach - dot(shared_force, before));
       store(c.is_stopped, part, is_stopped);
-      store(c.is_unresolved, part, is_unresolved);
+      store(c.squared_phase, part, squared_phase);
     }
   }
 }

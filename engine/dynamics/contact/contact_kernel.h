@@ -26,7 +26,7 @@ struct alignas(64) ContactBlock {
   double normal_force[kBlockSize];                    // N, >= 0
   double elastic[kBlockSize];                         // N, of the spring alone
   double is_stopped[kBlockSize];     // 1 where the force stops the approach at the greatest depth, else 0
-  double is_unresolved[kBlockSize];  // 1 where the spring is too stiff for the step (force_law.h: theta > 0), else 0
+  double squared_phase[kBlockSize];  // dt^2 w k of the spring; above 1 it is too stiff for the step (force_law.h)
   double damping_power[kBlockSize], friction_power[kBlockSize];  // W, at the velocities before the step (PowerKernel)
   std::int32_t coordinate[4][kBlockSize];
   std::int32_t place[4][kBlockSize];  // index of the coordinate's block in ContactedCoordinates

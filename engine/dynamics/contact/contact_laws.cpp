@@ -39,10 +39,12 @@ ContactLaw ContactLaws::make(std::int32_t element, std::int32_t part, bool is_co
   const double mass = effective_mass(material.section.mass_per_length * length, body_mass);
   const double stiffness = std::min(of_materials, resolved_stiffness(mass, steps_.present));
   const double softest = std::min(of_materials, resolved_stiffness(mass, steps_.reference));
+  const double impact = depth_of_impact(mass, softest, kSoftImpact);
   return {{stiffness, damping_ * std::sqrt(stiffness * mass)},
-          depth_of_impact(mass, softest, kSoftImpact),
+          impact,
           material.radius + kThicknessPart * thickness_[static_cast<std::size_t>(part)],
-          stiffness / of_materials};
+          stiffness / of_materials,
+          softest * impact * std::sqrt(impact)};
 }
 
 const ContactLaw& ContactLaws::of(std::int32_t element, std::int32_t part, bool is_cord_end, double body_mass) {

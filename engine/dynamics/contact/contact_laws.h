@@ -21,6 +21,7 @@ struct ContactLaw {
   double impact;     // m, compression that no approach may pass
   double deepest;    // m, depth that no approach may pass
   double softening;  // stiffness / stiffness of the materials
+  double largest;    // N, force of the softest spring at the compression `impact`
 };
 
 // The steps (s) that springs of contacts are for: the first one of the run, and the present one.

@@ -353,7 +353,8 @@ ContactSolver::Outcome ContactSolver::outcome_of(const Partner& partner) const {
     const ContactBlock& block = contacts_[static_cast<std::size_t>(place / kBlockSize)];
     const int lane = place % kBlockSize;
     outcome.stops += block.is_stopped[lane] > 0 ? 1 : 0;
-    outcome.unresolved += block.is_unresolved[lane] > 0 ? 1 : 0;
+    outcome.unresolved += block.squared_phase[lane] > 1 ? 1 : 0;
+    outcome.squared_phase = std::max(outcome.squared_phase, block.squared_phase[lane]);
     outcome.power += contact_kernel::ContactPower{block.damping_power[lane], block.friction_power[lane]};
   }
   return outcome;
@@ -371,6 +372,7 @@ void ContactSolver::add_forces(const CoordinateVectors& velocities, ContactedCoo
                                        .dt = times.drift,
                                        .inertia_factor = times.inertia_factor()};
   stops_ = unresolved_ = 0;
+  largest_squared_phase_ = 0;
   power_before_ = {};
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     body_force_[b].setZero();
@@ -380,6 +382,7 @@ void ContactSolver::add_forces(const CoordinateVectors& velocities, ContactedCoo
     force_kernels().forces(view, motion_of(bodies[b], partner.shares), contacts.data(), contacts.size());
     const Outcome outcome = outcome_of(partner);
     unresolved_ += outcome.unresolved;
+    largest_squared_phase_ = std::max(largest_squared_phase_, outcome.squared_phase);
     if (outcome.stops > 0) {
       stops_ += outcome.stops;
       complete_stops(contacts_.from(0), places_of(partner), bodies[b].rigid(), partner.shares, contacted, inverse_mass,
@@ -445,6 +448,18 @@ contact_kernel::ContactPower ContactSolver::dissipated_power(const CoordinateVec
     if (partners_[b].first < partners_[b].last) total += power_of(b, velocities.rows(), bodies[b]);
   }
   return total;
+}
+
+double ContactSolver::largest_load(const std::vector<DynamicBody>& bodies) {
+  double largest = 0;
+  for_each_contact([&](const ContactBlock& block, int lane) {
+    const auto b = static_cast<std::size_t>(block.body);
+    const double compression = std::max(block.penetration[lane], 0.0);
+    const ContactLaw& law =
+        partners_[b].laws.of(block.element[lane], block.part[lane], block.is_cord_end[lane], bodies[b].least_mass());
+    largest = std::max(largest, block.stiffness[lane] * compression * std::sqrt(compression) / law.largest);
+  });
+  return largest;
 }
 
 std::optional<ContactSolver::Depth> ContactSolver::deepest_contact() const {

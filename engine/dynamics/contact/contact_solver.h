@@ -88,6 +88,11 @@ class ContactSolver {
   int stops() const { return stops_; }
   // Contacts whose spring is too stiff for the step (force_law.h: theta > 0).
   int unresolved() const { return unresolved_; }
+  // Largest dt^2 w k of the present forces' springs.
+  double largest_squared_phase() const { return largest_squared_phase_; }
+  // Largest force of a present spring by what the softest springs, those for the first step, bear at their greatest
+  // compression.
+  double largest_load(const std::vector<DynamicBody>& bodies);
   struct Depth {
     std::int32_t element, body;
     double penetration;  // m
@@ -128,6 +133,7 @@ class ContactSolver {
   // What the last forces of a body's contacts came to.
   struct Outcome {
     int stops = 0, unresolved = 0;
+    double squared_phase = 0;
     contact_kernel::ContactPower power;  // valid only if no contact was stopped
   };
   Outcome outcome_of(const Partner& partner) const;
@@ -152,6 +158,7 @@ class ContactSolver {
   double deepest_penetration_ = 0;
   ContactDepth deepest_part_;
   int stops_ = 0, unresolved_ = 0;
+  double largest_squared_phase_ = 0;
   contact_kernel::ContactPower power_before_;
 };
 

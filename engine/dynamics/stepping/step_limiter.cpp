@@ -7,10 +7,16 @@ namespace {
 
 // Penetrations (m): steps are shortened above kDeep and grow again below kShallow. A run is given up above kDeepest if
 // its steps are already the shortest.
-constexpr double kDeep = 0.02, kShallow = 0.004, kDeepest = 0.05;
-// Factor on the steps after an interval with deep contacts. It makes penetrations 0.55 times as deep.
-constexpr double kShortening = 0.7;
+constexpr double kDeep = 0.015, kShallow = 0.004, kDeepest = 0.05;
+// Factor on the steps after an interval with deep contacts. With the springs that shorter steps allow, penetrations
+// become a third as deep.
+constexpr double kShortening = 0.35;
 constexpr double kLeastForContacts = 0.02;
+// Steps grow also where springs bear less than this part of what the softest ones bear. Contacts may then still be
+// deep, because stiffer springs begin where the softer ones were.
+constexpr double kBorne = 0.2;
+// Largest squared phase of a spring in a step (force_law.h) with which steps grow again, and the factor by which.
+constexpr double kWellResolvedPhase = 0.5, kLengthening = 1.4;
 
 // Largest aliased energy, as a fraction of the exchanged one.
 constexpr double kAliased = 0.004;
@@ -22,15 +28,30 @@ constexpr double kLeastEnergy = 1e-6;
 
 }  // namespace
 
-void StepLimiter::follow_contacts() {
-  const double deepest = std::exchange(deepest_, 0.0);
-  const bool exhausted = for_contacts_ <= kLeastForContacts;
-  overload_ = exhausted && deepest > kDeepest ? deepest : 0;
-  if (deepest > kDeep) for_contacts_ = std::max(kLeastForContacts, kShortening * for_contacts_);
-  if (deepest < kShallow) for_contacts_ = std::min(1.0, for_contacts_ / kShortening);
+void StepLimiter::note_blow() {
+  for_load_ = std::max(kLeastForContacts, 0.5 * for_load_);
+  has_blow_ = true;
 }
 
-void StepLimiter::note_unresolved_contacts() { for_contacts_ = std::max(kLeastForContacts, 0.5 * for_contacts_); }
+bool StepLimiter::note_squared_phase(double squared_phase) {
+  largest_squared_phase_ = std::max(largest_squared_phase_, squared_phase);
+  if (!(squared_phase > 1)) return true;
+  for_springs_ = std::max(kLeastForContacts, 0.5 * for_springs_);
+  return false;
+}
+
+void StepLimiter::follow_contacts() {
+  const double deepest = std::exchange(deepest_, 0.0), load = std::exchange(load_, kUnknownLoad);
+  const bool has_blow = std::exchange(has_blow_, false), exhausted = for_load_ <= kLeastForContacts;
+  overload_ = exhausted && deepest > kDeepest ? deepest : 0;
+  if (deepest > kDeep) {
+    for_load_ = std::max(kLeastForContacts, kShortening * for_load_);
+  } else if (deepest < kShallow || (!has_blow && load < kBorne)) {
+    for_load_ = std::min(1.0, for_load_ / kShortening);
+  }
+  const double next_squared_phase = kLengthening * kLengthening * std::exchange(largest_squared_phase_, 0.0);
+  if (next_squared_phase < kWellResolvedPhase) for_springs_ = std::min(1.0, kLengthening * for_springs_);
+}
 
 // The aliased energy is proportional to the square of the step.
 void StepLimiter::anticipate_energy(double aliased, double exchanged) {
@@ -46,7 +67,13 @@ void StepLimiter::follow_energy(double aliased, double exchanged) {
 }
 
 void StepLimiter::visit_state(const std::function<void(double&)>& visit) {
-  for (double* value : {&deepest_, &for_contacts_, &for_energy_, &overload_}) visit(*value);
+  for (double* value :
+       {&deepest_, &largest_squared_phase_, &load_, &for_load_, &for_springs_, &for_energy_, &overload_}) {
+    visit(*value);
+  }
+  double has_blow = has_blow_ ? 1 : 0;
+  visit(has_blow);
+  has_blow_ = has_blow != 0;
 }
 
 }  // namespace netpocket

@@ -71,8 +71,8 @@ struct CableSystem::Impl {
 
   void begin_account();
   void fix_contacts(double dt);
-  void fit_contacts(double dt);
-  void step(double dt);
+  void fit_contacts(double dt, double spring_step);
+  void step(double dt, double spring_step);
   void step_locked(LockedBodies& lock, double kick, double dt);
   void step_bodies(double kick, double dt);
   void keep_forces_current() { forces.keep_current(state.last_step > 0 ? state.last_step : kStepBeforeFirst); }
@@ -117,18 +117,18 @@ void CableSystem::Impl::fix_contacts(double dt) {
 }
 
 // Energy that springs of contacts lose as they become softer is spent.
-void CableSystem::Impl::fit_contacts(double dt) {
-  if (contacts.fits(dt)) return;
+void CableSystem::Impl::fit_contacts(double dt, double spring_step) {
+  if (contacts.fits(spring_step)) return;
   forces.keep_current(dt);
   const double before = contacts.energy_with_bodies();
-  contacts.fit_stiffness(dt);
+  contacts.fit_stiffness(spring_step);
   forces.compute(dt);
   energies.add_spent_in_contacts(std::max(before - contacts.energy_with_bodies(), 0.0));
 }
 
-void CableSystem::Impl::step(double dt) {
+void CableSystem::Impl::step(double dt, double spring_step) {
   fix_contacts(dt);
-  fit_contacts(dt);
+  fit_contacts(dt, spring_step);
   forces.keep_for_step(dt);
   const double kick = integrator.kick(dt);
   energies.before_step(kick);
@@ -239,7 +239,7 @@ double CableSystem::helpers_cpu_seconds() const { return impl_->threads.helpers_
 ElementEvaluation CableSystem::evaluation() const {
   return impl_->elements.is_full() ? ElementEvaluation::full : ElementEvaluation::mean_strain;
 }
-void CableSystem::step(double dt) { impl_->step(dt); }
+void CableSystem::step(double dt, double spring_step) { impl_->step(dt, spring_step); }
 
 StableStep CableSystem::stable_step() {
   Impl& s = *impl_;
@@ -382,6 +382,8 @@ CordContactSum CableSystem::cord_contacts() const {
   return {contacts->count(), contacts->total_normal_force(), contacts->deepest_part().part};
 }
 double CableSystem::penetration() const { return impl_->contacts.with_bodies().deepest_penetration(); }
+double CableSystem::contact_squared_phase() const { return impl_->contacts.with_bodies().largest_squared_phase(); }
+double CableSystem::contact_load() { return impl_->contacts.largest_load(); }
 double CableSystem::contact_step() const { return impl_->contacts.reference_step(); }
 void CableSystem::note_shortened_step() { ++impl_->safeguards.shortened_steps; }
 const SafeguardCounts& CableSystem::safeguards() const { return impl_->safeguards; }

@@ -106,7 +106,9 @@ class CableSystem {
   // `straight`: the result of stable_step() at about these rope lengths.
   double stable_step_as_bent(const StableStep& straight);
   // Advances the state by one step of `dt` (s). Steps may differ in size; large jumps cost accuracy.
-  void step(double dt);
+  void step(double dt) { step(dt, dt); }
+  // `spring_step` (s): springs of contacts are as stiff as steps of this size resolve.
+  void step(double dt, double spring_step);
   // A sentence about the fault if the state is no longer finite or flies apart (100 km/s), else nothing. It names the
   // cable and its contact in the last step, or the body.
   std::optional<std::string> fault() const;
@@ -157,6 +159,10 @@ class CableSystem {
   ContactDepths take_deepest_contacts();
   // Deepest penetration (m) of cords into bodies in the last step.
   double penetration() const;
+  // Largest squared phase of a contact's spring in the last step, dt^2 w k (force_law.h).
+  double contact_squared_phase() const;
+  // Largest force of a contact's spring by what the softest springs bear (contact_solver.h).
+  double contact_load();
   // Step (s) that the stiffness of contacts is based on; 0 before the first step.
   double contact_step() const;
   // To be called by whoever chooses the steps, for each step that is shorter than stability requires.

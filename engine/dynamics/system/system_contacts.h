@@ -34,6 +34,7 @@ class SystemContacts {
   // Whether springs are as stiff as steps of `dt` (s) need; see ContactSolver.
   bool fits(double dt) const { return with_bodies_.fits(dt); }
   void fit_stiffness(double dt) { with_bodies_.fit_stiffness(dt, state_.bodies); }
+  double largest_load() { return with_bodies_.largest_load(state_.bodies); }
   // To be called when positions have changed in another way than by a step.
   void forget_candidates();
 
