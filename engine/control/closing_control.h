@@ -22,6 +22,8 @@ class ClosingControl : public Controller {
 
   // Motion of a rope at a time (s) by the present law.
   RopeMotion motion(std::size_t rope, double time) const;
+  // By rope, the index of a law that it shares with all ropes of the same index: their motions are equal.
+  const std::vector<std::size_t>& laws() const { return schedule_of_rope_; }
 
   // Adopts the start of the closing from `times`.
   void follow_start();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engine/control/observed.h"
 
@@ -57,9 +58,8 @@ WinchControl::WinchControl(const Scenario& scenario, const std::vector<double>& 
   }
 }
 
-// The command for a step that ends at `time` (s).
-WinchCommand WinchControl::command_at(std::size_t rope, double time) const {
-  const double own_time = time - listed(winch_.late, rope, 0);
+// The command at a rope's own time (s), which is behind that of the others if the rope is late.
+WinchCommand WinchControl::command_at_own(std::size_t rope, double own_time) const {
   if (own_time < times_->closing_start) return {.mode = WinchMode::rate, .brake = true};
   switch (winch_.drive) {
     case WinchDrive::rate:
@@ -74,6 +74,24 @@ WinchCommand WinchControl::command_at(std::size_t rope, double time) const {
   }
   const RopeMotion wanted = law_.motion(rope, own_time);
   return {.mode = WinchMode::length, .value = wanted.length, .rate = wanted.rate};
+}
+
+// The command for a step that ends at `time` (s).
+WinchCommand WinchControl::command_at(std::size_t rope, double time) const {
+  return command_at_own(rope, time - listed(winch_.late, rope, 0));
+}
+
+// As command_at for each rope. Most ropes have the law and the time of the rope before.
+void WinchControl::command_all(double time) {
+  WinchCommand last;
+  double last_time = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t rope = 0; rope < winches_.size(); ++rope) {
+    const double own_time = time - listed(winch_.late, rope, 0);
+    const bool is_new = own_time != last_time || law_.laws()[rope] != law_.laws()[rope - 1];
+    if (is_new) last = command_at_own(rope, own_time);
+    last_time = own_time;
+    winches_[rope].command(last);
+  }
 }
 
 LoopState WinchControl::state(std::size_t rope, double time) const {
@@ -94,9 +112,9 @@ void WinchControl::update(const Measurements& measurements, double interval, Com
   law_.follow_start();
   measurements.rope_tensions(tensions_);
   if (sensor_) sensor_->look(now, tensions_);
+  command_all(now + interval);
   for (std::size_t rope = 0; rope < winches_.size(); ++rope) {
     Winch& winch = winches_[rope];
-    winch.command(command_at(rope, now + interval));
     winch.jam(now >= listed(winch_.jammed, rope, std::numeric_limits<double>::infinity()));
     const double known = sensor_ ? sensor_->reading()[rope] : tensions_[rope];
     commands.wind(static_cast<std::int32_t>(rope), winch.step(tensions_[rope], known, interval));

@@ -40,6 +40,8 @@ class WinchControl : public Controller {
 
  private:
   WinchCommand command_at(std::size_t rope, double time) const;
+  WinchCommand command_at_own(std::size_t rope, double own_time) const;
+  void command_all(double time);
 
   WinchParameters winch_;
   double least_length_;  // m

@@ -53,6 +53,43 @@ TEST(StepLimiter, CallsOverloadWhatShortStepsDoNotMend) {
   EXPECT_EQ(limiter.overload(), kDeep);
 }
 
+TEST(StepLimiter, SpringsAreNotFittedToStepsThatAreShortenedBecauseOfThem) {
+  StepLimiter limiter;
+  EXPECT_TRUE(limiter.note_squared_phase(0.9));
+  EXPECT_EQ(limiter.factor(), 1);
+  EXPECT_FALSE(limiter.note_squared_phase(1.1));
+  EXPECT_EQ(limiter.factor(), 0.5);
+  EXPECT_EQ(limiter.spring_factor(), 1);
+  limiter.follow_contacts();
+  EXPECT_EQ(limiter.factor(), 0.5) << "a phase above 1 in this interval";
+  limiter.note_squared_phase(0.4);
+  limiter.follow_contacts();
+  EXPECT_EQ(limiter.factor(), 0.5) << "longer steps would not resolve the spring well";
+  for (int i = 0; i < 3; ++i) {
+    limiter.note_squared_phase(0.1);
+    limiter.follow_contacts();
+  }
+  EXPECT_EQ(limiter.factor(), 1);
+}
+
+// Springs that became stiffer in a blow begin where the softer ones were. So the contact remains deep.
+TEST(StepLimiter, GrowsAgainAfterABlowWhenSoftSpringsBearTheLoad) {
+  StepLimiter limiter;
+  limiter.note_blow();
+  EXPECT_EQ(limiter.factor(), 0.5);
+  EXPECT_EQ(limiter.spring_factor(), 0.5);
+  limiter.note_load(0);
+  stretch(limiter, 0.01);
+  EXPECT_EQ(limiter.factor(), 0.5) << "the blow was in this interval";
+  limiter.note_load(0.9);
+  limiter.note_load(0.1);
+  stretch(limiter, 0.01);
+  EXPECT_EQ(limiter.factor(), 0.5) << "a large load";
+  limiter.note_load(0.1);
+  stretch(limiter, 0.01);
+  EXPECT_EQ(limiter.factor(), 1);
+}
+
 TEST(StepLimiter, ShortensStepsThatLoseSightOfEnergy) {
   StepLimiter limiter;
   limiter.follow_energy(1e-9, 0);  // rounding
