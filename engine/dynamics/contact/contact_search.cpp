@@ -283,6 +283,14 @@ std::size_t ContactSearch::holder_index(std::int32_t element, int holder) const 
   return static_cast<std::size_t>(element) * holders + static_cast<std::size_t>(holder);
 }
 
+std::array<std::int32_t, 2> ContactSearch::neighbours(std::int32_t holder) const {
+  const std::int32_t element = holder / (pieces_ + 1), place = holder % (pieces_ + 1);
+  const std::int32_t previous = previous_[static_cast<std::size_t>(element)];
+  const std::int32_t before = place > 0 ? holder - 1 : previous >= 0 ? previous * (pieces_ + 1) + pieces_ - 1 : -1;
+  const std::int32_t behind = place < pieces_ ? static_cast<std::int32_t>(holder_index(element, place + 1)) : -1;
+  return {before, behind};
+}
+
 void ContactSearch::touch(const Meeting& meeting, int holder, const Candidate& candidate,
                           std::vector<CordTouch>& touches) {
   if (candidate.segment < 0) return;

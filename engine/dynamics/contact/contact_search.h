@@ -84,6 +84,8 @@ class ContactSearch {
   const std::vector<ContactPart>& parts() const { return parts_; }
   const std::vector<contact_kernel::Vertex>& vertices() const { return vertices_; }  // of the capsule chains
   std::size_t holder_count() const { return static_cast<std::size_t>(pieces_ + 1) * next_.size(); }
+  // The holders before and behind a holder on its cord; -1 for none.
+  std::array<std::int32_t, 2> neighbours(std::int32_t holder) const;
   double bounding_radius() const { return bounding_radius_; }
   // `element`: an index of the model's elements or of what fills their last block.
   bool can_touch(std::int32_t element) const { return radius_[static_cast<std::size_t>(element)] > 0; }

@@ -84,7 +84,8 @@ void ContactSolver::set_reference_step(double dt) {
 
 void ContactSolver::note_motion(double cords, std::span<const double> bodies) {
   for (std::size_t b = 0; b < partners_.size(); ++b) {
-    partners_[b].search.note_way(cords + bodies[b]);
+    partners_[b].way = cords + bodies[b];
+    partners_[b].search.note_way(partners_[b].way);
   }
 }
 
@@ -256,8 +257,7 @@ void ContactSolver::list_places(std::size_t first_block) {
 // Springs begin at their offsets. The springs of a holder have one offset, which is at most their greatest depth. The
 // offsets of holders that touch no more are forgotten.
 void ContactSolver::apply_offsets(Partner& partner, double body_mass) {
-  std::vector<SpringOffsets::Place> present;
-  std::map<SpringOffsets::Place, double> deepest;
+  std::map<SpringOffsets::Place, double> deepest;  // then their offsets
   const auto for_each_of_partner = [&](const auto& function) {
     for (std::size_t i = partner.first; i < partner.last; ++i) {
       ContactBlock& block = contacts_[i];
@@ -269,18 +269,17 @@ void ContactSolver::apply_offsets(Partner& partner, double body_mass) {
     double& depth = deepest[place];
     depth = std::max(depth, block.penetration[lane]);
   });
-  for (const auto& [place, depth] : deepest) {
-    partner.offsets.follow(place, depth);
-    present.push_back(place);
+  for (auto& [place, depth] : deepest) {
+    depth = partner.offsets.follow(place, depth, partner.search.neighbours(place.second), partner.way);
   }
   for_each_of_partner([&](ContactBlock& block, int lane, const SpringOffsets::Place& place) {
-    const double depth = block.penetration[lane], offset = std::min(partner.offsets.of(place), std::max(depth, 0.0));
+    const double depth = block.penetration[lane], offset = std::min(deepest[place], std::max(depth, 0.0));
     const ContactLaw& law = partner.laws.of(block.element[lane], block.part[lane], block.is_cord_end[lane], body_mass);
     block.penetration[lane] = depth - offset;
     block.offset[lane] = offset;
     if (block.share[lane] > 0) block.deepest[lane] = std::min(law.impact, law.deepest - offset);
   });
-  partner.offsets.keep_only(std::move(present));
+  partner.offsets.end_step();
 }
 
 template <typename Function>
@@ -316,7 +315,9 @@ void ContactSolver::fit_stiffness(double dt, const std::vector<DynamicBody>& bod
                                                                  block.penetration[lane] + block.offset[lane],
                                                                  block.penetration[lane], block.stiffness[lane], next});
     }
-    for (const auto& [place, springs] : holders) partner.offsets.set(place, offset_of_same_energy(springs));
+    std::vector<std::pair<SpringOffsets::Place, double>> offsets;
+    for (const auto& [place, springs] : holders) offsets.emplace_back(place, offset_of_same_energy(springs));
+    partner.offsets.set(offsets);
   }
 }
 

@@ -110,6 +110,7 @@ class ContactSolver {
     std::size_t first = 0, last = 0;              // range in contacts_
     std::size_t first_place = 0, last_place = 0;  // range in places_
     double shares = 0;                            // sum of its contacts' shares
+    double way = 0;  // m, bound of what any point of a cord has approached the body by in the last step
   };
   contact_kernel::ContactPower power_of(std::size_t body, const CoordinateRows& velocities,
                                         const DynamicBody& dynamic) const;

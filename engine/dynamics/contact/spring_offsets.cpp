@@ -1,6 +1,7 @@
 #include "engine/dynamics/contact/spring_offsets.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "engine/contact/force_law.h"
 #include "engine/math/elementary.h"
@@ -39,32 +40,41 @@ double offset_of_same_energy(std::span<const ChangingSpring> springs) {
 }
 
 SpringOffsets::SpringOffsets(std::size_t parts, std::size_t holders)
-    : offsets_(parts, std::vector<double>(holders, 0.0)) {}
+    : offsets_(parts, std::vector<double>(holders, kApart)) {}
 
-double SpringOffsets::follow(const Place& place, double depth) {
-  if (places_.empty()) return 0;
-  double& offset = at(place);
-  return offset = std::min(offset, std::max(depth, 0.0));
+double SpringOffsets::follow(const Place& place, double depth, const std::array<std::int32_t, 2>& neighbours,
+                             double entered) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  double offset = at(place);
+  if (offset < 0) {
+    double least = kNone;
+    for (const std::int32_t neighbour : neighbours) {
+      const double of_neighbour = neighbour < 0 ? kApart : at({place.first, neighbour});
+      if (of_neighbour >= 0) least = std::min(least, of_neighbour);
+    }
+    offset = least < kNone ? least : depth - entered;
+  }
+  offset = std::clamp(offset, 0.0, std::max(depth, 0.0));
+  followed_.emplace_back(place, offset);
+  return offset;
 }
 
-void SpringOffsets::set(const Place& place, double offset) {
-  double& present = at(place);
-  if (present == 0 && offset > 0) places_.push_back(place);
-  present = offset;
+void SpringOffsets::end_step() {
+  set(followed_);
+  followed_.clear();
 }
 
-void SpringOffsets::keep_only(std::vector<Place> present) {
-  if (places_.empty()) return;
-  std::ranges::sort(present);
-  std::erase_if(places_, [&](const Place& place) {
-    double& offset = at(place);
-    if (!std::ranges::binary_search(present, place)) offset = 0;
-    return offset == 0;
-  });
+void SpringOffsets::set(const std::vector<std::pair<Place, double>>& offsets) {
+  clear();
+  for (const auto& [place, offset] : offsets) {
+    at(place) = offset;
+    places_.push_back(place);
+  }
+  if (!has_offset()) clear();
 }
 
 void SpringOffsets::clear() {
-  for (const Place& place : places_) at(place) = 0;
+  for (const Place& place : places_) at(place) = kApart;
   places_.clear();
 }
 
@@ -74,10 +84,11 @@ void SpringOffsets::visit_state(const std::function<void(double&)>& visit) {
     for (std::size_t holder = 0; holder < offsets_[part].size(); ++holder) {
       double& offset = offsets_[part][holder];
       visit(offset);
-      if (!(offset >= 0)) offset = 0;  // a file may hold a number that is not an offset
-      if (offset > 0) places_.emplace_back(part, holder);
+      if (!(offset >= 0)) offset = kApart;  // a file may hold a number that is not an offset
+      if (offset >= 0) places_.emplace_back(part, holder);
     }
   }
+  if (!has_offset()) clear();
 }
 
 }  // namespace netpocket
