@@ -46,5 +46,42 @@ TEST(SpringOffsets, SofterSpringsBeginAtTheSurfaceAtMost) {
   EXPECT_EQ(offset_of_same_energy(two), 0);
 }
 
+constexpr double kDepth = 5e-3, kOffset = 4e-3;
+
+// Holders 2 and 3 of a cord touch with offsets.
+SpringOffsets with_offsets() {
+  SpringOffsets offsets(1, 8);
+  offsets.set({{{0, 2}, kOffset}, {{0, 3}, 0.5 * kOffset}});
+  return offsets;
+}
+
+TEST(SpringOffsets, FollowTheCordOutAndNotIn) {
+  SpringOffsets offsets = with_offsets();
+  EXPECT_EQ(offsets.follow({0, 2}, kDepth, {1, 3}, 0), kOffset);
+  offsets.end_step();
+  EXPECT_EQ(offsets.follow({0, 2}, 0.7 * kOffset, {1, 3}, 0), 0.7 * kOffset);
+  offsets.end_step();
+  EXPECT_EQ(offsets.follow({0, 2}, kDepth, {1, 3}, 0), 0.7 * kOffset);
+}
+
+TEST(SpringOffsets, HolderThatThePlaceComesToTakesItsNeighboursOffset) {
+  SpringOffsets offsets = with_offsets();
+  EXPECT_EQ(offsets.follow({0, 1}, kDepth, {0, 2}, 0), kOffset);
+  EXPECT_EQ(offsets.follow({0, 4}, kDepth, {3, 5}, 0), 0.5 * kOffset);
+  EXPECT_EQ(offsets.follow({0, 7}, kDepth, {6, -1}, 1e-3), kDepth - 1e-3) << "no neighbour touches";
+  EXPECT_EQ(offsets.follow({0, 6}, 1e-3, {5, 7}, 2e-3), 0) << "it has come in by its own motion";
+}
+
+TEST(SpringOffsets, AreForgottenWithTheContact) {
+  SpringOffsets offsets = with_offsets();
+  EXPECT_FALSE(offsets.are_zero());
+  offsets.follow({0, 3}, kDepth, {2, 4}, 0);
+  offsets.end_step();
+  EXPECT_EQ(offsets.of({0, 2}), 0);
+  EXPECT_EQ(offsets.of({0, 3}), 0.5 * kOffset);
+  offsets.end_step();
+  EXPECT_TRUE(offsets.are_zero());
+}
+
 }  // namespace
 }  // namespace netpocket
