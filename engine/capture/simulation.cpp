@@ -62,7 +62,7 @@ struct Simulation::Impl {
         system(std::move(capture_system.model), system_options(s, options)),
         controls(system),
         channels(capture_system.spacecraft, capture_system.target),
-        step_choice(system) {
+        step_choice(system, s.solver.fidelity == Fidelity::draft ? kDraftCare : ContactCare{}) {
     for (SystemController& c : capture_system.controllers) controls.add(std::move(c.controller), c.period);
     perturb();
   }

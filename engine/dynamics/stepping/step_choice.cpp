@@ -43,8 +43,12 @@ void visit_integer(const std::function<void(double&)>& visit, int& integer, int 
 
 }  // namespace
 
-StepChoice::StepChoice(CableSystem& system)
-    : system_(system), model_(system.model()), bound_(system.stable_step()), ropes_(model_.ropes.size()) {
+StepChoice::StepChoice(CableSystem& system, const ContactCare& care)
+    : system_(system),
+      model_(system.model()),
+      bound_(system.stable_step()),
+      ropes_(model_.ropes.size()),
+      limiter_(care) {
   for (std::size_t rope = 0; rope < ropes_.size(); ++rope) ropes_[rope].length_at_bound = length_of(rope);
 }
 

@@ -29,7 +29,7 @@ namespace netpocket {
 class StepChoice {
  public:
   // `system`: as built; must outlive this object.
-  explicit StepChoice(CableSystem& system);
+  explicit StepChoice(CableSystem& system, const ContactCare& care = {});
 
   // Largest step (s, without a safety factor) that is stable in the system's present shape as long as no rope becomes
   // shorter than `shortest` (m, by rope). Includes the factor of the limiter.

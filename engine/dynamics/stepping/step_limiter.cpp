@@ -5,9 +5,9 @@
 namespace netpocket {
 namespace {
 
-// Penetrations (m): steps are shortened above kDeep and grow again below kShallow. A run is given up above kDeepest if
-// its steps are already the shortest.
-constexpr double kDeep = 0.02, kShallow = 0.004, kDeepest = 0.05;
+// Penetrations (m): steps are shortened above kDeep. A run is given up above kDeepest if its steps are already the
+// shortest.
+constexpr double kDeep = 0.02, kDeepest = 0.05;
 // Factor on the steps after an interval with deep contacts. It makes penetrations 0.55 times as deep.
 constexpr double kShortening = 0.7;
 constexpr double kLeastForContacts = 0.02;
@@ -27,10 +27,12 @@ void StepLimiter::follow_contacts() {
   const bool exhausted = for_contacts_ <= kLeastForContacts;
   overload_ = exhausted && deepest > kDeepest ? deepest : 0;
   if (deepest > kDeep) for_contacts_ = std::max(kLeastForContacts, kShortening * for_contacts_);
-  if (deepest < kShallow) for_contacts_ = std::min(1.0, for_contacts_ / kShortening);
+  if (deepest < care_.shallow) for_contacts_ = std::min(1.0, for_contacts_ / kShortening);
 }
 
-void StepLimiter::note_unresolved_contacts() { for_contacts_ = std::max(kLeastForContacts, 0.5 * for_contacts_); }
+void StepLimiter::note_unresolved_contacts() {
+  for_contacts_ = std::max(kLeastForContacts, care_.after_unresolved * for_contacts_);
+}
 
 // The aliased energy is proportional to the square of the step.
 void StepLimiter::anticipate_energy(double aliased, double exchanged) {

@@ -1,7 +1,8 @@
 #pragma once
 // Shortens steps where stability is not enough, by a factor on the stable step:
 // - Contacts. A load for which springs of contacts are too soft presses cords to their greatest depth, where each step
-//   stops the approach (contact_solver.h). Steps are halved after a stop and shortened while penetrations exceed kDeep.
+//   stops the approach (contact_solver.h). Steps are halved after a stop (less in drafts: ContactCare) and shortened
+//   while penetrations exceed kDeep.
 // - Short waves. The integrator misses the part (w dt/2)^2 of the energy of a wave of frequency w (aliased energy).
 //   Steps are shortened while that exceeds kAliased of the energy that has been exchanged.
 //
@@ -14,12 +15,23 @@
 
 namespace netpocket {
 
+// How careful steps are about contacts that they resolve badly.
+struct ContactCare {
+  double shallow = 0.004;         // m, largest penetration of an interval after which shortened steps grow again
+  double after_unresolved = 0.5;  // factor on the steps after one with contacts that it could not resolve
+};
+// For drafts (scenario/fidelity.h): shorter steps would make a capture that presses the target hard twenty times as
+// dear.
+inline constexpr ContactCare kDraftCare = {.shallow = 0.01, .after_unresolved = 0.9};
+
 class StepLimiter {
  public:
+  explicit StepLimiter(const ContactCare& care = {}) : care_(care) {}
+
   // Deepest penetration (m) of cords into bodies in the step just made.
   void note_penetration(double depth) { deepest_ = std::max(deepest_, depth); }
   // To be called after a step in which contacts were stopped at their greatest depth or had springs too stiff for the
-  // step (contact_solver.h). Halves the next steps.
+  // step (contact_solver.h). Shortens the next steps.
   void note_unresolved_contacts();
   // To be called at the end of an interval of equal steps, 0.01 s at most.
   void follow_contacts();
@@ -39,6 +51,7 @@ class StepLimiter {
   void visit_state(const std::function<void(double&)>& visit);
 
  private:
+  ContactCare care_;
   double deepest_ = 0;  // m, of this interval
   double for_contacts_ = 1, for_energy_ = 1;
   double overload_ = 0;  // m
