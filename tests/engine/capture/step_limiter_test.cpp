@@ -38,6 +38,17 @@ TEST(StepLimiter, ShortensStepsWhileContactsAreDeep) {
   EXPECT_EQ(limiter.factor(), 1);
 }
 
+// A draft's steps suffer less from contacts that they do not resolve.
+TEST(StepLimiter, ADraftIsLessCareful) {
+  StepLimiter full, draft(kDraftCare);
+  for (StepLimiter* limiter : {&full, &draft}) limiter->note_unresolved_contacts();
+  EXPECT_EQ(full.factor(), 0.5);
+  EXPECT_EQ(draft.factor(), 0.9);
+  for (StepLimiter* limiter : {&full, &draft}) stretch(*limiter, 0.009);  // m
+  EXPECT_EQ(full.factor(), 0.5);
+  EXPECT_EQ(draft.factor(), 1);
+}
+
 TEST(StepLimiter, CallsOverloadWhatShortStepsDoNotMend) {
   StepLimiter limiter;
   stretch(limiter, kDeep);
