@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "engine/scenario/fidelity.h"
+#include "engine/study/record_files.h"
 
 namespace netpocket {
 namespace {
@@ -28,6 +29,10 @@ bool varies_fidelity(const Study& study) {
   return is_axis || is_drawn || names_fidelity(study.places) || names_fidelity(study.variants);
 }
 
+std::string drafts_text(bool all, const std::string& notice) {
+  return fmt::format("drafts: {}; {}\n", all ? "all runs" : "runs with solver.fidelity = \"draft\"", notice);
+}
+
 }  // namespace
 
 std::string draft_runs_text(const Study& study) {
@@ -37,8 +42,28 @@ std::string draft_runs_text(const Study& study) {
     if (setting.key == kFidelityKey) (void)apply_setting(common, setting);
   }
   if (!varies && common.solver.fidelity == Fidelity::full) return "";
-  const char* which = varies ? "runs with solver.fidelity = \"draft\"" : "all runs";
-  return fmt::format("drafts: {}; {}\n", which, draft_notice(Fidelity::draft));
+  return drafts_text(!varies, draft_notice(Fidelity::draft));
+}
+
+std::string recorded_drafts_text(const std::string& folder) {
+  constexpr std::size_t kLookedAt = 100;  // records; where the fidelity varies, a draft is soon found
+  std::vector<RecordPlace> places;
+  scan_records(folder, [&](const RecordPlace& place) {
+    if (places.size() < kLookedAt) places.push_back(place);
+  });
+  RecordReader reader;
+  std::size_t runs = 0, drafts = 0;
+  std::string notice;
+  for (const RecordPlace& place : places) {
+    const StudyRecord record = reader.read(place);
+    for (const StudyRecord& run : record["runs"]) {
+      ++runs;
+      if (!run.contains("draft")) continue;
+      ++drafts;
+      notice = run["draft"].get<std::string>();
+    }
+  }
+  return drafts == 0 ? "" : drafts_text(drafts == runs, notice);
 }
 
 }  // namespace netpocket
