@@ -3,8 +3,10 @@
 
 usage: tests/draft_bias.py STUDY_FOLDER engine/scenario/draft_bias.h scenarios/DRAFT.md
 
-Each capture was run twice with the same draws. Means are those of the differences, draft minus fine, and intervals are
-1.96 standard errors of these means.
+Each capture was run twice with the same draws. Means are those of the differences, draft minus fine. Intervals are 1.96
+standard errors of these means; of the probability, where hardly any capture differs, the longer side of Newcombe's
+interval for paired proportions (method 10 of Newcombe 1998,
+doi:10.1002/(SICI)1097-0258(19981130)17:22<2635::AID-SIM954>3.0.CO;2-C).
 """
 
 import csv
@@ -61,6 +63,27 @@ def impulse(row):
     return math.sqrt(sum(float(row[f"impulse_{axis}_Ns"]) ** 2 for axis in "xyz"))
 
 
+def wilson(count, of):
+    z = 1.96
+    part, root = count / of, z * math.sqrt(count / of * (1 - count / of) / of + (z / (2 * of)) ** 2)
+    return tuple((part + z * z / (2 * of) + sign * root) / (1 + z * z / of) for sign in (-1, 1))
+
+
+def paired_bias(pairs):
+    """Difference of two proportions of the same captures, (fine, draft) each, and the longer side of its interval."""
+    n = len(pairs)
+    both, neither = sum(f and d for f, d in pairs), sum(not f and not d for f, d in pairs)
+    fine, draft = sum(f for f, _ in pairs), sum(d for _, d in pairs)
+    spread = math.sqrt(fine * (n - fine) * draft * (n - draft))
+    shared = both * neither - (fine - both) * (draft - both)
+    phi = max(shared - n / 2, min(shared, 0)) / spread if spread > 0 else 0
+    (l_f, u_f), (l_d, u_d) = wilson(fine, n), wilson(draft, n)
+    down = (draft / n - l_d, u_f - fine / n)
+    up = (u_d - draft / n, fine / n - l_f)
+    sides = [math.sqrt(a * a - 2 * phi * a * b + b * b) for a, b in (down, up)]
+    return (draft - fine) / n, max(sides)
+
+
 def bias(values, unit=1.0):
     return mean(values) / unit, half_width(values) / unit
 
@@ -80,7 +103,7 @@ def main():
     one_touches = sum(bool(f["first_contact_s"]) != bool(d["first_contact_s"]) for f, d in pairs)
     impulses = [(impulse(f), impulse(d)) for f, d in pairs]
     fine_impulse = mean([f for f, _ in impulses])
-    probability = bias([d - f for f, d in captured])
+    probability = paired_bias(captured)
     contact = bias([d - f for f, d in touching])
     of_impulse = bias([d - f for f, d in impulses], fine_impulse)
 
@@ -107,7 +130,7 @@ def main():
 same draws. Written by `./dev draft-bias`, with the table from which the program says it (engine/scenario/draft_bias.h). THEORY.md 7.4 says
 what a draft is. Intervals are of 95 %.
 
-{len(pairs)} captures, {len(lost)} not judged, of which one of the two ended early.
+{len(pairs)} captures; {len(lost)} more were not judged, because one of the two runs ended early.
 
 | quantity | fine | draft | draft minus fine | bound | |
 | --- | --- | --- | --- | --- | --- |
@@ -138,7 +161,7 @@ predicted by its draft, a map is.
 | smallest step, median (ms) | {1e3 * quantile(steps["fine"], 0.5):.3f} | {1e3 * quantile(steps["draft"], 0.5):.3f} | \
 {quantile(steps["draft"], 0.5) / quantile(steps["fine"], 0.5):.1f} |
 
-Times are those of a machine that did other things too.
+Times are processor time, of a machine that did other things too.
 """
     with open(page_path, "w", encoding="utf-8") as file:
         file.write(page)

@@ -16,10 +16,10 @@ struct DraftBias {
 };
 
 inline constexpr DraftBias kDraftBias = {
-    .captures = 508,
-    .probability = {-0.0039, 0.0055},
-    .first_contact = {-0.0236, 0.0174},
-    .impulse = {-0.021, 0.034},
+    .captures = 512,
+    .probability = {-0.00391, 0.00661},
+    .first_contact = {-0.02352, 0.01727},
+    .impulse = {-0.01982, 0.03350},
 };
 
 }  // namespace netpocket
