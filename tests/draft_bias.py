@@ -108,7 +108,7 @@ def main():
     of_impulse = bias([d - f for f, d in impulses], fine_impulse)
 
     def number(pair):
-        return ", ".join(f"{v:.5f}" for v in pair)
+        return ", ".join(f"{v:.7f}" for v in pair)
 
     with open(header_path, "w", encoding="utf-8") as file:
         file.write(HEADER.format(captures=len(pairs), probability=number(probability), first_contact=number(contact),

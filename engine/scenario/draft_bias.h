@@ -17,9 +17,9 @@ struct DraftBias {
 
 inline constexpr DraftBias kDraftBias = {
     .captures = 512,
-    .probability = {-0.00391, 0.00661},
-    .first_contact = {-0.02352, 0.01727},
-    .impulse = {-0.01982, 0.03350},
+    .probability = {-0.0039062, 0.0066143},
+    .first_contact = {-0.0235225, 0.0172698},
+    .impulse = {-0.0198150, 0.0334995},
 };
 
 }  // namespace netpocket

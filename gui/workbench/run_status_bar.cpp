@@ -91,6 +91,7 @@ void RunStatusBar::show_run(const Run* run, std::size_t frame) {
   diverged_ = run != nullptr && run->status.reason == RunReason::diverged;
   colour_state();
   draft_->setText(run ? draft_text(*run) : QString());
+  draft_->setMinimumWidth(fontMetrics().horizontalAdvance(draft_->text()) + 2 * kFieldMargin);  // read whole
   draft_->setVisible(!draft_->text().isEmpty());
   draft_->setToolTip(run ? engine_words(draft_notice(run->scenario.solver.fidelity)) : QString());
   for (QLabel* label : {time_, speed_, step_, contacts_, energy_}) label->setVisible(any);
