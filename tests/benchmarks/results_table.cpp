@@ -154,6 +154,12 @@ std::string ResultsTable::speed_text() const {
         fmt::format("{:.2f} of one thread's speed, {:.2f} when quiet", times("per_element"),
                     times("quiet_per_element")));
   }
+  const Row *alone = find("machine/peak/real_time/threads:1"), *both = find("machine/peak/real_time/threads:2");
+  if (alone != nullptr && both != nullptr) {
+    const double peak = both->counters.at("flops");
+    add("two threads, this machine's arithmetic alone", fmt::format("{:.1f} GFLOP/s", 1e-9 * peak),
+        fmt::format("{:.2f} of one thread's speed", peak / alone->counters.at("flops")));
+  }
   const Row* net = find("thrown_net/step/iterations:12/manual_time");
   if (net != nullptr && case1 != nullptr) {
     const double own = net->counters.at("per_element"), elements = net->counters.at("elements");
