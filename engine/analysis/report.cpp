@@ -71,33 +71,35 @@ Json summary_json(const RunData& run) {
   const RunOrigin& origin = run.origin();
   Json peak = vector_json(summary.peak_force);
   peak["time_y"] = summary.peak_time_y;
-  return {{"scenario", utf8(origin.scenario_name)},
-          {"version", utf8(origin.netpocket_version)},
-          {"commit", utf8(origin.commit)},
-          {"reason", to_string(run.status().reason)},
-          {"message", utf8(run.status().message)},
-          {"simulated_seconds", statistics.simulated_seconds},
-          {"wall_seconds", statistics.wall_seconds},
-          {"cpu_seconds", statistics.cpu_seconds},
-          {"elements", statistics.elements},
-          {"coordinates", statistics.coordinates},
-          {"steps", statistics.steps},
-          {"time_step", statistics.time_step},
-          {"evaluation", utf8(statistics.evaluation)},
-          {"frames", run.frame_count()},
-          {"closing_end", phase_end(origin.phases, kClosing)},
-          {"captured", judgement(summary.captured)},
-          {"capture", to_string(summary.captured)},
-          {"first_contact_time", summary.first_contact_time ? Json(*summary.first_contact_time) : Json()},
-          {"peak_force", peak},
-          {"impulse", vector_json(summary.impulse)},
-          {"energy_error", summary.energy_error},
-          {"energy_error_joules", summary.energy_error_joules},
-          {"energy_put_in", summary.energy_put_in},
-          {"averaging_window", summary.averaging_window},
-          {"penetration", depth_json(deepest_penetration(run))},
-          {"overlap", depth_json(deepest_overlap(run))},
-          {"safeguards", safeguards_json(run)}};
+  Json json = {{"scenario", utf8(origin.scenario_name)},
+               {"version", utf8(origin.netpocket_version)},
+               {"commit", utf8(origin.commit)},
+               {"reason", to_string(run.status().reason)},
+               {"message", utf8(run.status().message)},
+               {"simulated_seconds", statistics.simulated_seconds},
+               {"wall_seconds", statistics.wall_seconds},
+               {"cpu_seconds", statistics.cpu_seconds},
+               {"elements", statistics.elements},
+               {"coordinates", statistics.coordinates},
+               {"steps", statistics.steps},
+               {"time_step", statistics.time_step},
+               {"evaluation", utf8(statistics.evaluation)},
+               {"frames", run.frame_count()},
+               {"closing_end", phase_end(origin.phases, kClosing)},
+               {"captured", judgement(summary.captured)},
+               {"capture", to_string(summary.captured)},
+               {"first_contact_time", summary.first_contact_time ? Json(*summary.first_contact_time) : Json()},
+               {"peak_force", peak},
+               {"impulse", vector_json(summary.impulse)},
+               {"energy_error", summary.energy_error},
+               {"energy_error_joules", summary.energy_error_joules},
+               {"energy_put_in", summary.energy_put_in},
+               {"averaging_window", summary.averaging_window},
+               {"penetration", depth_json(deepest_penetration(run))},
+               {"overlap", depth_json(deepest_overlap(run))},
+               {"safeguards", safeguards_json(run)}};
+  if (!origin.draft.empty()) json["draft"] = utf8(origin.draft);
+  return json;
 }
 
 std::string summary_text(const Recording& recording) {
@@ -108,6 +110,7 @@ std::string summary_text(const Recording& recording) {
   text += line("scenario", origin.scenario_name);
   text += line("netpocket", fmt::format("{} ({})", origin.netpocket_version, origin.commit));
   text += line("run", ending(recording));
+  if (!origin.draft.empty()) text += line("draft", origin.draft);
   text += line("effort", effort(statistics));
   text += line("model", fmt::format("{} elements, {} coordinates", statistics.elements, statistics.coordinates));
   if (statistics.time_step > 0) {

@@ -8,6 +8,7 @@
 #include "engine/capture/simulation.h"
 #include "engine/recording/background_recorder.h"
 #include "engine/recording/recording.h"
+#include "engine/scenario/fidelity.h"
 #include "engine/scenario/write_scenario.h"
 #include "engine/systems/capture_system.h"
 
@@ -117,6 +118,7 @@ RunOrigin run_origin(const Scenario& scenario, const RunOptions& options) {
   origin.seed = scenario.solver.seed;
   origin.threads = options.threads;
   origin.phases = capture_phases(scenario);
+  origin.draft = draft_notice(scenario.solver.fidelity);
   return origin;
 }
 

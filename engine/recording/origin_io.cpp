@@ -5,6 +5,8 @@
 namespace netpocket {
 namespace {
 
+constexpr char kDraft[] = "draft";  // an attribute of drafts only
+
 std::string read_text(const InputFile& file, const std::string& path) {
   const auto texts = read_texts(file, path);
   if (texts.size() != 1) throw Hdf5Error(path + " has the wrong length");
@@ -57,6 +59,7 @@ void write_origin(hid_t file, const RunOrigin& origin, ChunkCodec& codec) {
   write_texts(file, {"scenario", "", "the scenario as run, TOML"}, {origin.scenario_text}, codec);
   write_texts(file, {"command", "", "command line, or workbench"}, {origin.command}, codec);
   write_phases(file, origin.phases, codec);
+  if (!origin.draft.empty()) write_attribute(file, kDraft, origin.draft);
 }
 
 RunOrigin read_origin(const InputFile& file) {
@@ -69,6 +72,7 @@ RunOrigin read_origin(const InputFile& file) {
   origin.seed = file.read_count_attribute("/", "seed");
   origin.threads = file.read_count_attribute("/", "threads");
   origin.phases = read_phases(file);
+  if (file.has_attribute("/", kDraft)) origin.draft = file.read_text_attribute("/", kDraft);
   return origin;
 }
 

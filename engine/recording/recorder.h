@@ -32,6 +32,7 @@ struct RunOrigin {
   int seed = 0;
   int threads = 1;
   std::vector<Phase> phases;  // of the capture, as planned
+  std::string draft;          // of a draft: what it is and its measured bias (scenario/fidelity.h); else empty
 };
 
 class Recorder {

@@ -10,6 +10,7 @@
 #include "engine/scenario/check_control.h"
 #include "engine/scenario/check_overlaps.h"
 #include "engine/scenario/check_scenario.h"
+#include "engine/scenario/fidelity.h"
 #include "engine/scenario/pocket_outline.h"
 #include "engine/scenario/pocket_tether.h"
 #include "engine/scenario/sector_scatter.h"
@@ -88,9 +89,10 @@ class PocketChecker {
     }
     const auto& profile = s_.rods.profile;
     const double width = 2 * std::min(profile[1].x(), profile[2].x()) * sine(std::numbers::pi / s_.pocket.rod_count);
-    const double lower = (profile[1] - profile[0]).norm() / s_.pocket.mesh_columns;
-    const double upper = (profile[2] - profile[1]).norm() / s_.pocket.mesh_rows;
-    const double element = std::min({width / s_.pocket.mesh_columns, lower, upper}) / s_.pocket.elements_per_side;
+    const MeshDivision mesh = mesh_division(s_);
+    const double lower = (profile[1] - profile[0]).norm() / mesh.columns;
+    const double upper = (profile[2] - profile[1]).norm() / mesh.rows;
+    const double element = std::min({width / mesh.columns, lower, upper}) / mesh.per_side;
     if (element < s_.net.diameter) {
       add("net.diameter",
           fmt::format("elements of {:.3g} m are shorter than the cord is thick; use fewer or thinner cords", element));

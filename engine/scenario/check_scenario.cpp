@@ -31,6 +31,7 @@ class Checker {
     if (!found_.ok()) return found_;
     if (has_table("spacecraft")) check_inertia("spacecraft.inertia", s_.spacecraft.inertia);
     check_output();
+    check_fidelity();
     check_orbit(s_, found_);
     std::optional<Shape> target;
     if (has_table("target")) target = check_target();
@@ -86,6 +87,17 @@ class Checker {
     if (s_.solver.time_step > 1 / s_.output.frame_rate) {
       add("solver.time_step",
           fmt::format("must not exceed the {} s between two frames (output.frame_rate)", 1 / s_.output.frame_rate));
+    }
+  }
+
+  // Its bias has been measured for pockets only.
+  void check_fidelity() {
+    if (s_.solver.fidelity == Fidelity::full) return;
+    if (s_.system != "pocket") {
+      add("solver.fidelity", fmt::format("\"draft\" is for systems of the kind pocket, not {}", s_.system));
+    }
+    if (s_.solver.evaluation == Evaluation::full) {
+      add("solver.fidelity", "\"draft\" is for the evaluation mean_strain, not full");
     }
   }
 

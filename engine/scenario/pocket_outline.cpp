@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "engine/math/elementary.h"
+#include "engine/scenario/fidelity.h"
 
 namespace netpocket {
 
@@ -30,15 +31,14 @@ std::vector<PanelOutline> panel_outlines(const Scenario& scenario) {
 
 double largest_element_count(const Scenario& scenario) {
   const PocketParameters& pocket = scenario.pocket;
-  const double columns = pocket.mesh_columns;
-  const double rows = pocket.mesh_rows;
+  const MeshDivision mesh = mesh_division(scenario);
+  const double columns = mesh.columns;
+  const double rows = mesh.rows;
   const double square_sides = (rows + 1) * columns + rows * (columns + 1);
   const double triangle_sides = 3 * columns * (columns + 1) / 2;
   const double rod_sides = rows + columns;
-  const int rod_elements =
-      scenario.rods.elements_per_side > 0 ? scenario.rods.elements_per_side : pocket.elements_per_side;
-  const double net = (square_sides + triangle_sides) * pocket.elements_per_side;
-  return pocket.rod_count * (net + rod_sides * rod_elements + scenario.closing.elements);
+  const double net = (square_sides + triangle_sides) * mesh.per_side;
+  return pocket.rod_count * (net + rod_sides * mesh.per_side_of_a_rod + scenario.closing.elements);
 }
 
 }  // namespace netpocket

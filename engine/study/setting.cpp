@@ -29,14 +29,14 @@ std::optional<Number> parse(std::string_view text) {
 }
 
 // "rods.profile[1][0]" is the parameter "rods.profile" with indices 1, 0. Without indices: the whole parameter.
-struct Place {
+struct KeyPlace {
   std::string parameter;
   std::vector<std::size_t> indices;
 };
 
-std::optional<Place> parse_place(const std::string& key) {
+std::optional<KeyPlace> parse_place(const std::string& key) {
   const auto bracket = key.find('[');
-  Place place{key.substr(0, bracket), {}};
+  KeyPlace place{key.substr(0, bracket), {}};
   for (auto at = bracket; at < key.size();) {
     const auto close = key.find(']', at);
     if (key[at] != '[' || close == key.npos) return std::nullopt;
@@ -60,7 +60,7 @@ double* number_at(ParameterValue& value, const std::vector<std::size_t>& indices
   return nullptr;
 }
 
-Diagnostics apply_to_number(Scenario& scenario, const Setting& setting, const Place& place) {
+Diagnostics apply_to_number(Scenario& scenario, const Setting& setting, const KeyPlace& place) {
   const Parameter* parameter = find_parameter(place.parameter, scenario);
   if (!parameter) {
     const auto nearest = nearest_parameter_key(place.parameter, scenario.system);

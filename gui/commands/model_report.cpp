@@ -9,6 +9,7 @@
 #include "engine/bodies/triangle_mesh.h"
 #include "engine/capture/simulation.h"
 #include "engine/control/closing_law.h"
+#include "engine/scenario/fidelity.h"
 #include "engine/scenario/parameter_text.h"
 #include "engine/scenario/parameters.h"
 #include "engine/scenario/pocket_outline.h"
@@ -119,6 +120,7 @@ std::string model_report(const Scenario& scenario) {
   text += line("elements", fmt::format("{}: {}", statistics.elements, counts(cables)));
   text += line("coordinates", fmt::format("{}", statistics.coordinates));
   text += line("evaluation", statistics.evaluation);
+  if (const std::string draft = draft_notice(scenario.solver.fidelity); !draft.empty()) text += line("draft", draft);
   text += line("masses", masses(system.model, cables));
   if (const auto* target = system.target >= 0 ? &system.model.bodies[static_cast<std::size_t>(system.target)] : nullptr;
       target != nullptr && has_table(scenario, "target")) {

@@ -11,6 +11,7 @@
 #include "engine/base/whole_file.h"
 #include "engine/scenario/parameter_text.h"
 #include "engine/study/campaign_report.h"
+#include "engine/study/draft_runs.h"
 #include "engine/study/read_study.h"
 #include "engine/study/run_study.h"
 #include "engine/study/search_report.h"
@@ -183,6 +184,7 @@ ExitCode show_status(const std::string& folder) {
 void print_outcome(const StudyChoice& choice, const Study& study, const StudyOutcome& outcome) {
   print(outcome_text(outcome, choice.output));
   print(throughput_text(outcome, choice.merge ? 0 : choice.jobs));
+  print(draft_runs_text(study));
   if (outcome.optimisation) {
     print(optimisation_text(study, *outcome.optimisation));
     print(fmt::format("\"{}/best.toml\" is the scenario\n", choice.output));
@@ -221,12 +223,21 @@ ExitCode hand_over(const StudyChoice& choice, const Study& study) {
   }
 }
 
-std::string report_of(const StudyChoice& choice, const Study& study, const StudyOutcome& outcome) {
+std::string plain_report_of(const StudyChoice& choice, const Study& study, const StudyOutcome& outcome) {
   if (outcome.optimisation) return optimisation_report(study, *outcome.optimisation);
   if (outcome.rare_failure) return rare_failure_report(study, *outcome.rare_failure);
   const bool judges = study.has_findings || study.report.of == ReportOf::statements;
   if (judges) return study_report(study, outcome.records);
   return campaign_report(study, outcome, read_study_results(choice.output));
+}
+
+// Says below the title which results are drafts.
+std::string report_of(const StudyChoice& choice, const Study& study, const StudyOutcome& outcome) {
+  std::string text = plain_report_of(choice, study, outcome);
+  const std::string drafts = draft_runs_text(study);
+  const std::size_t title_end = text.find("\n\n");
+  if (!drafts.empty() && title_end != std::string::npos) text.insert(title_end + 2, drafts + "\n");
+  return text;
 }
 
 ExitCode run(const StudyChoice& choice, const std::string& command_line) {

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "engine/analysis/summary.h"
+#include "engine/scenario/draft_bias.h"
+#include "engine/scenario/fidelity.h"
 #include "gui/workbench/panels/engine_words.h"
 #include "gui/workbench/panels/tones.h"
 
@@ -38,6 +40,17 @@ QString step_text(const RunStatistics& statistics, double step) {
   return RunStatusBar::tr("step %1 µs: %2").arg(1e6 * step, 0, 'f', 1).arg(limit);
 }
 
+// What a draft is worth; empty for a run of full fidelity.
+QString draft_text(const Run& run) {
+  if (run.scenario.solver.fidelity == Fidelity::full) return {};
+  const MeasuredBias &captured = kDraftBias.probability, &impulse = kDraftBias.impulse;
+  return RunStatusBar::tr("draft: capture %1 ± %2 points, impulse %3 ± %4 %")
+      .arg(100 * captured.mean, 0, 'f', 1)
+      .arg(100 * captured.half_width, 0, 'f', 1)
+      .arg(100 * impulse.mean, 0, 'f', 1)
+      .arg(100 * impulse.half_width, 0, 'f', 1);
+}
+
 // The error against the energy put in so far, if that is enough to compare with.
 QString energy_text(const RunSeries& series, std::size_t frame) {
   const double input = std::max(std::abs(series.channel(Channel::energy_input)[frame]),
@@ -54,6 +67,7 @@ QString energy_text(const RunSeries& series, std::size_t frame) {
 RunStatusBar::RunStatusBar(QWidget* parent) : QStatusBar(parent) {
   setSizeGripEnabled(false);
   state_ = add_field(tr("What the run is doing"), tr("Preparing"));
+  draft_ = add_field(QString(), QString());
   time_ = add_field(tr("Simulated time"), tr("t = %1 s").arg("000.000"));
   speed_ = add_field(tr("Speed of the simulation against real time"), tr("%1 × real time").arg("0.000"));
   step_ = add_field(tr("Integration step, and what limits it"), QString());
@@ -76,6 +90,10 @@ void RunStatusBar::show_run(const Run* run, std::size_t frame) {
   state_->setText(run ? state_text(*run) : tr("No run"));
   diverged_ = run != nullptr && run->status.reason == RunReason::diverged;
   colour_state();
+  draft_->setText(run ? draft_text(*run) : QString());
+  draft_->setMinimumWidth(fontMetrics().horizontalAdvance(draft_->text()) + 2 * kFieldMargin);  // read whole
+  draft_->setVisible(!draft_->text().isEmpty());
+  draft_->setToolTip(run ? engine_words(draft_notice(run->scenario.solver.fidelity)) : QString());
   for (QLabel* label : {time_, speed_, step_, contacts_, energy_}) label->setVisible(any);
   if (!any) return;
   const std::size_t last = std::min(frame, run->frame_count() - 1);

@@ -27,7 +27,7 @@ class RunStatusBar : public QStatusBar {
   void colour_state();
 
   bool diverged_ = false;
-  QLabel *state_, *time_, *speed_, *step_, *contacts_, *energy_;
+  QLabel *state_, *draft_, *time_, *speed_, *step_, *contacts_, *energy_;
 };
 
 }  // namespace netpocket

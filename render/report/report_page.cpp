@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <functional>
 
 #include "engine/analysis/run_labels.h"
@@ -95,6 +96,14 @@ std::string summary_table(const Recordings& recordings) {
   std::vector<RunSummary> summaries;
   for (const auto* recording : recordings) summaries.push_back(summarize(*recording));
   std::string rows;
+  if (std::ranges::any_of(recordings, [](const auto* recording) { return !recording->origin().draft.empty(); })) {
+    rows += "<tr><th scope=\"row\">Draft</th>";
+    for (const auto* recording : recordings) {
+      const std::string& draft = recording->origin().draft;
+      rows += fmt::format("<td>{}</td>", draft.empty() ? "no" : html_text(draft));
+    }
+    rows += "</tr>\n";
+  }
   for (const auto& figure : key_figures()) {
     rows += fmt::format("<tr><th scope=\"row\">{}</th>", figure.label);
     for (std::size_t i = 0; i < recordings.size(); ++i) {

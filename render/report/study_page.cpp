@@ -8,6 +8,7 @@
 
 #include "engine/base/whole_file.h"
 #include "engine/statistics/proportion.h"
+#include "engine/study/draft_runs.h"
 #include "engine/study/study_manifest.h"
 #include "render/figures/drawn_captures.h"
 #include "render/figures/figure_file.h"
@@ -149,12 +150,13 @@ std::string figures_section(const Figures& figures) {
 }  // namespace
 
 std::string study_page(const std::string& name, const StudyResults& results, const Pictures& pictures,
-                       const Figures& figures) {
+                       const Figures& figures, const std::string& drafts) {
   std::string page = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
       "content=\"width=device-width, initial-scale=1\">\n<title>{0}</title>\n<style>{1}</style>\n</head>\n<body>\n"
       "<h1>{0}</h1>\n",
       html_text(name), kStudyPageStyle);
+  if (!drafts.empty()) page += fmt::format("<p>{}</p>\n", html_text(drafts));
   Pictures shown_pictures = pictures;
   const StudyResults shown = shown_in_page(results, shown_pictures);
   page += result_text(results) + map_section(results) + pictures_section(shown, shown_pictures);
@@ -182,7 +184,9 @@ RenderOutcome write_study_report(const std::string& folder, const std::string& p
     if (is_in_the_map(name)) continue;
     figures.emplace_back(name, encode_figure(make_study_figure(name, results), FigureFormat::svg));
   }
-  write_whole_file(path, FileKind::html, study_page(read_study_manifest(folder).study, results, pictures, figures));
+  write_whole_file(
+      path, FileKind::html,
+      study_page(read_study_manifest(folder).study, results, pictures, figures, recorded_drafts_text(folder)));
   return RenderOutcome::finished;
 }
 

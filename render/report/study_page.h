@@ -22,9 +22,9 @@ RenderOutcome write_study_report(const std::string& folder, const std::string& p
                                  const std::stop_token& stop = {});
 
 // The page, from what it holds: pictures (PNG) by row of the results, in the order in which they are shown, and figures
-// (SVG) by name.
+// (SVG) by name. `drafts`: a sentence about those of the results that are drafts (study/draft_runs.h).
 std::string study_page(const std::string& name, const StudyResults& results,
                        const std::vector<std::pair<std::size_t, std::string>>& pictures,
-                       const std::vector<std::pair<std::string, std::string>>& figures);
+                       const std::vector<std::pair<std::string, std::string>>& figures, const std::string& drafts = "");
 
 }  // namespace netpocket

@@ -290,6 +290,7 @@ int main(int count, char** arguments) {
   if (benchmark::ReportUnrecognizedArguments(kept, arguments)) return 2;
   netpocket::ResultsTable table;
   benchmark::RunSpecifiedBenchmarks(&table);
+  std::printf("%s", table.speed_text().c_str());
   if (results.empty()) return 0;
   try {
     table.write(results);

@@ -119,13 +119,65 @@ std::string ResultsTable::threads_text() const {
          text;
 }
 
+std::string ResultsTable::speed_text() const {
+  std::string rows;
+  const auto add = [&](const std::string& what, const std::string& value, const std::string& ratio) {
+    rows += fmt::format("| {} | {} | {} |\n", what, value, ratio);
+  };
+  const Row *reference = find("element/reference_mean_strain"), *case1 = find("case1/elements_per_side/2/iterations:5");
+  if (reference != nullptr && case1 != nullptr) {
+    const double ns = 1e9 * case1->counters.at("per_element");
+    add("case 1, a step", fmt::format("{:.2f} ns per element", ns),
+        fmt::format("{:.3f} of the element in its readable form", ns / (1e9 * reference->counters.at("per_element"))));
+  }
+  const Row *fine = find("campaign/fine/iterations:1/manual_time"),
+            *coarse = find("campaign/coarse/iterations:1/manual_time"),
+            *draft = find("campaign/draft/iterations:1/manual_time");
+  if (fine != nullptr && coarse != nullptr && draft != nullptr) {
+    const double full_speed = fine->counters.at("x_real_time");
+    for (const auto& [row, what] : {std::pair(fine, "mesh of case 1"), {coarse, "coarse"}, {draft, "drafts"}}) {
+      const double speed = row->counters.at("x_real_time");
+      add(fmt::format("scattered captures, {}", what),
+          fmt::format("{:.0f} a minute and core, {:.1f} x real time", row->counters.at("per_minute").value, speed),
+          fmt::format("{:.2f} of the mesh of case 1", speed / full_speed));
+    }
+  }
+  for (const Row& one : rows_) {
+    if (!one.name.starts_with(kSteps) || one.counters.at("elements").value < 10000) continue;
+    std::string name = one.name;
+    const std::size_t threads = name.find("/1/");
+    const Row* two = threads == std::string::npos ? nullptr : find(name.replace(threads, 3, "/2/"));
+    if (two == nullptr) continue;
+    const auto times = [&](const char* value) { return one.counters.at(value) / two->counters.at(value); };
+    add(fmt::format("two threads, {:.0f} elements", one.counters.at("elements").value),
+        fmt::format("{:.2f} ns per element", 1e9 * two->counters.at("per_element")),
+        fmt::format("{:.2f} of one thread's speed, {:.2f} when quiet", times("per_element"),
+                    times("quiet_per_element")));
+  }
+  const Row *alone = find("machine/peak/real_time/threads:1"), *both = find("machine/peak/real_time/threads:2");
+  if (alone != nullptr && both != nullptr) {
+    const double peak = both->counters.at("flops");
+    add("two threads, this machine's arithmetic alone", fmt::format("{:.1f} GFLOP/s", 1e-9 * peak),
+        fmt::format("{:.2f} of one thread's speed", peak / alone->counters.at("flops")));
+  }
+  const Row* net = find("thrown_net/step/iterations:12/manual_time");
+  if (net != nullptr && case1 != nullptr) {
+    const double own = net->counters.at("per_element"), elements = net->counters.at("elements");
+    add("thrown net in free flight, a step",
+        fmt::format("{:.1f} µs, {:.2f} ns per element", 1e6 * own * elements, 1e9 * own),
+        fmt::format("{:.2f} of case 1's time per element", own / case1->counters.at("per_element")));
+  }
+  if (rows.empty()) return rows;
+  return "\n## Speed\n\n| what | value | ratio |\n| --- | --- | --- |\n" + rows;
+}
+
 void ResultsTable::write(const std::string& path) const {
   std::ofstream file(path);
   file << "# Timings\n\nWritten by `./dev bench`. Times are processor time, of a machine that does other things too: "
           "compare the ratios, not the\nnanoseconds. \"ratio\" is time per element against "
           "`element/reference_mean_strain`, the readable form of the element,\nin the same run.\n\n"
        << machine() << '\n'
-       << rows_text() << threads_text();
+       << rows_text() << threads_text() << speed_text();
   file.flush();
   if (!file) throw std::runtime_error("Cannot write \"" + path + "\".");
 }

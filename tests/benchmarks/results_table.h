@@ -12,6 +12,8 @@ namespace netpocket {
 class ResultsTable : public benchmark::ConsoleReporter {
  public:
   void ReportRuns(const std::vector<Run>& runs) override;
+  // What matters most, each with a ratio; empty for a part of the benchmarks.
+  std::string speed_text() const;
   // Throws std::runtime_error when the file cannot be written.
   void write(const std::string& path) const;
 

@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "engine/math/rotation.h"
+#include "engine/scenario/fidelity.h"
 #include "engine/scenario/pocket_tether.h"
 #include "engine/scenario/target_shape.h"
 #include "engine/state/pocket_groups.h"
@@ -30,17 +31,18 @@ class PocketBuilder {
  public:
   explicit PocketBuilder(const Scenario& scenario)
       : scenario_(scenario),
-        columns_(scenario.pocket.mesh_columns),
-        rows_(scenario.pocket.mesh_rows),
+        mesh_(mesh_division(scenario)),
+        columns_(mesh_.columns),
+        rows_(mesh_.rows),
         tether_(pocket_tether(scenario)),
         sectors_(pocket_.model, scenario.pocket.rod_count, scenario.solver.pair_strains) {}
 
   Pocket build() {
     Model& model = pocket_.model;
-    net_ = model.add_material(cord_material(scenario_.net));
-    rope_ = model.add_material(cord_material(scenario_.rope));
+    net_ = add_softened(cord_material(scenario_.net));
+    rope_ = add_softened(cord_material(scenario_.rope));
     for (const double wall : {scenario_.rods.wall_lower, scenario_.rods.wall_upper}) {
-      pocket_.rod_materials.push_back({model.add_material(rod_material(scenario_.rods, wall)), wall});
+      pocket_.rod_materials.push_back({add_softened(rod_material(scenario_.rods, wall)), wall});
     }
     model.contact = {.restitution = scenario_.contact.restitution,
                      .friction = scenario_.contact.friction,
@@ -67,6 +69,11 @@ class PocketBuilder {
     return {r * out.x(), y, r * out.z()};
   }
 
+  std::int32_t add_softened(CableMaterial material) {
+    material.section.EA /= axial_softening(scenario_);
+    return pocket_.model.add_material(material);
+  }
+
   void add_bodies();
   void add_hub();
   void add_tether();
@@ -80,6 +87,7 @@ class PocketBuilder {
   void add_net_thread(const std::vector<SectorIndex>& knots, const std::string& what);
 
   const Scenario& scenario_;
+  MeshDivision mesh_;
   int columns_, rows_;
   PocketTether tether_;
   Pocket pocket_;
@@ -220,8 +228,7 @@ void PocketBuilder::add_rods() {
     upper_rows_.push_back(rod_node((1 - part) * kink.x() + part * tip.x(), (1 - part) * kink.y() + part * tip.y()));
   }
 
-  const int own = scenario_.rods.elements_per_side;
-  const int per_side = own > 0 ? own : scenario_.pocket.elements_per_side;
+  const int per_side = mesh_.per_side_of_a_rod;
   std::vector<SectorIndex> knots = {root_};
   knots.insert(knots.end(), lower_rows_.rbegin(), lower_rows_.rend());
   std::vector<int> divisions(knots.size() - 1, per_side);
@@ -263,7 +270,7 @@ SectorIndex PocketBuilder::panel_node(const SectorIndex& rod_node, double across
 
 void PocketBuilder::add_net_thread(const std::vector<SectorIndex>& knots, const std::string& what) {
   if (knots.size() < 2) return;
-  const std::vector<int> divisions(knots.size() - 1, scenario_.pocket.elements_per_side);
+  const std::vector<int> divisions(knots.size() - 1, mesh_.per_side);
   // Straight cords would buckle in a direction that rounding errors decide. The bow determines it.
   const Bow bow{scenario_.pocket.bow, {0, profile(1).y(), 0}};
   sectors_.add_thread(

@@ -56,6 +56,12 @@ inline constexpr auto kEngineSentences = std::to_array<const char*>({
     QT_TRANSLATE_NOOP("engine", "a tension line"),
     QT_TRANSLATE_NOOP("engine", "nothing moves"),
 
+    // What a draft is worth.
+    QT_TRANSLATE_NOOP(
+        "engine",
+        "coarse mesh, axial stiffness divided by %1; bias over %2 scattered captures, 95 %: probability of "
+        "capture %3 +- %4 percentage points, first contact %5 +- %6 s, impulse on the target %7 +- %8 %"),
+
     // How a run has ended, and why.
     QT_TRANSLATE_NOOP("engine", "reached the time asked for"),
     QT_TRANSLATE_NOOP("engine", "reached the requested time"),
@@ -184,6 +190,8 @@ inline constexpr auto kEngineSentences = std::to_array<const char*>({
     QT_TRANSLATE_NOOP("engine",
                       "row %1 asks for %2 m of rope, but only the %3 m between the open tips can be paid out"),
     QT_TRANSLATE_NOOP("engine", "there is no kind of capture system called %1"),
+    QT_TRANSLATE_NOOP("engine", "\"draft\" is for systems of the kind pocket, not %1"),
+    QT_TRANSLATE_NOOP("engine", "\"draft\" is for the evaluation mean_strain, not full"),
     QT_TRANSLATE_NOOP("engine", "the largest moment %1 exceeds the sum %2 of the other two, which no body has"),
     QT_TRANSLATE_NOOP("engine", "%1 frames up to output.end_time are more than %2"),
     QT_TRANSLATE_NOOP("engine", "must not exceed the %1 s between two frames (output.frame_rate)"),

@@ -1929,6 +1929,18 @@
         <source>hub</source>
         <translation>中心盘</translation>
     </message>
+    <message>
+        <source>coarse mesh, axial stiffness divided by %1; bias over %2 scattered captures, 95 %: probability of capture %3 +- %4 percentage points, first contact %5 +- %6 s, impulse on the target %7 +- %8 %</source>
+        <translation>粗网目，轴向刚度除以 %1；由 %2 次随机捕获得出的偏差（95 % 区间）：捕获概率 %3 ± %4 个百分点，首次接触 %5 ± %6 s，目标所受冲量 %7 ± %8 %</translation>
+    </message>
+    <message>
+        <source>&quot;draft&quot; is for systems of the kind pocket, not %1</source>
+        <translation>&quot;draft&quot; 只用于 pocket 类系统，不用于 %1</translation>
+    </message>
+    <message>
+        <source>&quot;draft&quot; is for the evaluation mean_strain, not full</source>
+        <translation>&quot;draft&quot; 只用于 mean_strain 计算方式，不用于 full</translation>
+    </message>
 </context>
 <context>
     <name>netpocket::AboutDialog</name>
@@ -4248,6 +4260,10 @@
     <message>
         <source>At its limit of steps</source>
         <translation>达到步数上限</translation>
+    </message>
+    <message>
+        <source>draft: capture %1 ± %2 points, impulse %3 ± %4 %</source>
+        <translation>草算：捕获概率 %1 ± %2 个百分点，冲量 %3 ± %4 %</translation>
     </message>
 </context>
 <context>
@@ -7513,6 +7529,18 @@
         <source>Axes</source>
         <comment>controller</comment>
         <translation>坐标轴</translation>
+    </message>
+    <message>
+        <source>Fidelity</source>
+        <translation>精细程度</translation>
+    </message>
+    <message>
+        <source>full; draft, for maps of many captures: at most three meshes across and three rows, one element a side, axial stiffness divided by 30, in pockets of the evaluation mean_strain only. Results of a draft state its measured bias</source>
+        <translation>full：完整；draft：草算，用于由大量捕获构成的分布图：横向最多三个网目、最多三行，每边一个单元，轴向刚度除以 30，仅用于 mean_strain 计算方式的网袋。草算的结果都注明其实测偏差</translation>
+    </message>
+    <message>
+        <source>assumption; THEORY.md 7.4</source>
+        <translation>假设；THEORY.md 7.4</translation>
     </message>
 </context>
 <context>

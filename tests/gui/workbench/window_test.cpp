@@ -145,6 +145,22 @@ TEST_F(WindowTest, DivergenceNamesThePlaceAndKeepsTheFrames) {
   EXPECT_EQ(session.runs().ids().size(), 2u);
 }
 
+TEST_F(WindowTest, ADraftSaysSo) {
+  const auto draft_fields = [&] {
+    const auto labels = window_->findChild<RunStatusBar*>()->findChildren<QLabel*>();
+    return std::ranges::count_if(
+        labels, [](const QLabel* label) { return label->isVisible() && label->text().startsWith("draft: capture "); });
+  };
+  ASSERT_TRUE(run_to(0.05));
+  EXPECT_EQ(draft_fields(), 0);
+  Scenario scenario = quick_scenario();
+  scenario.solver.fidelity = Fidelity::draft;
+  window_->document().start_from(scenario);
+  window_->run_actions().restart();
+  ASSERT_TRUE(wait_until([&] { return draft_fields() == 1; }));
+  screenshot("draft");
+}
+
 TEST_F(WindowTest, StrategyThatNeedsARestartSaysSo) {
   ASSERT_TRUE(run_to(0.2));
   ASSERT_FALSE(window_->document().set_value(parameter("net.diameter"), 0.005));
