@@ -132,7 +132,7 @@ struct Simulation::Impl {
   // Adapts the step limiter to the interval that ends now.
   void end_interval() {
     StepLimiter& limiter = step_choice.limiter();
-    limiter.follow_contacts();
+    limiter.follow_contacts(system.keeps_contacts(2 * time_step));
     if (limiter.overload() > 0 && defect.empty()) defect = overload_text(limiter.overload());
     const bool frame_ends = (interval + 1) % static_cast<std::int64_t>(intervals_of_frame()) == 0;
     if (!frame_ends || scenario.solver.time_step > 0) return;
@@ -203,7 +203,8 @@ struct Simulation::Impl {
     if (scenario.solver.time_step == 0 && limiter.factor() < 1) system.note_shortened_step();
     system.step(time_step);
     controls.after_step(time_step);
-    limiter.note_penetration(system.penetration());
+    const double depth = system.penetration();
+    limiter.note_contacts(depth, limiter.factor() < 1 ? system.contact_compression() : depth);
     const bool is_unresolved = unresolved() > unresolved_before;
     if (is_unresolved) limiter.note_unresolved_contacts();
     if (++steps_in_interval == interval_steps) {

@@ -435,6 +435,15 @@ contact_kernel::ContactPower ContactSolver::dissipated_power(const CoordinateVec
   return total;
 }
 
+double ContactSolver::largest_compression() const {
+  if (std::ranges::all_of(partners_, [](const Partner& partner) { return partner.offsets.are_zero(); })) {
+    return deepest_penetration_;
+  }
+  double largest = 0;
+  for_each_contact([&](const ContactBlock& block, int lane) { largest = std::max(largest, block.penetration[lane]); });
+  return largest;
+}
+
 std::optional<ContactSolver::Depth> ContactSolver::deepest_contact() const {
   std::optional<Depth> deepest;
   for_each_contact([&](const ContactBlock& block, int lane) {

@@ -375,6 +375,8 @@ CordContactSum CableSystem::cord_contacts() const {
   return {contacts->count(), contacts->total_normal_force(), contacts->deepest_part().part};
 }
 double CableSystem::penetration() const { return impl_->contacts.with_bodies().deepest_penetration(); }
+double CableSystem::contact_compression() const { return impl_->contacts.with_bodies().largest_compression(); }
+bool CableSystem::keeps_contacts(double dt) const { return impl_->contacts.fits(dt); }
 double CableSystem::contact_step() const { return impl_->contacts.reference_step(); }
 void CableSystem::note_shortened_step() { ++impl_->safeguards.shortened_steps; }
 const SafeguardCounts& CableSystem::safeguards() const { return impl_->safeguards; }

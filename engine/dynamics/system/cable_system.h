@@ -155,6 +155,11 @@ class CableSystem {
   ContactDepths take_deepest_contacts();
   // Deepest penetration (m) of cords into bodies in the last step.
   double penetration() const;
+  // Compression (m) of the spring of such a contact that was compressed most in the last step. Springs that became
+  // stiffer within a contact begin below the surface.
+  double contact_compression() const;
+  // Whether these springs stay as stiff as they are in steps of `dt` (s).
+  bool keeps_contacts(double dt) const;
   // Step (s) that the stiffness of contacts is based on; 0 before the first step.
   double contact_step() const;
   // To be called by whoever chooses the steps, for each step that is shorter than stability requires.

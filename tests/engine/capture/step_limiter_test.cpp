@@ -19,9 +19,9 @@ namespace {
 constexpr double kDeep = 0.1, kShallow = 0.001;  // m
 
 void stretch(StepLimiter& limiter, double depth) {
-  limiter.note_penetration(depth);
-  limiter.note_penetration(0);
-  limiter.follow_contacts();
+  limiter.note_contacts(depth, depth);
+  limiter.note_contacts(0, 0);
+  limiter.follow_contacts(true);
 }
 
 TEST(StepLimiter, ShortensStepsWhileContactsAreDeep) {
@@ -32,10 +32,35 @@ TEST(StepLimiter, ShortensStepsWhileContactsAreDeep) {
   EXPECT_LT(limiter.factor(), 1);
   EXPECT_TRUE(limiter.is_for_contacts());
   const double shortened = limiter.factor();
-  stretch(limiter, 0.01);  // neither deep nor shallow
+  stretch(limiter, 0.0018);  // neither far nor little compressed
   EXPECT_EQ(limiter.factor(), shortened);
   stretch(limiter, kShallow);
   EXPECT_EQ(limiter.factor(), 1);
+}
+
+// A spring that has become stiffer within a contact begins below the surface.
+TEST(StepLimiter, FollowsSpringsAndNotDepthsOnceStepsAreShortened) {
+  StepLimiter limiter;
+  limiter.note_contacts(0.01, 0.01);
+  limiter.follow_contacts(true);
+  EXPECT_EQ(limiter.factor(), 1) << "nothing was shortened, and 1 cm is not deep";
+  limiter.note_unresolved_contacts();
+  limiter.follow_contacts(true);
+  EXPECT_EQ(limiter.factor(), 0.5) << "steps do not grow in the interval of a stop";
+  limiter.note_contacts(0.01, 0.003);
+  limiter.follow_contacts(true);
+  EXPECT_DOUBLE_EQ(limiter.factor(), 0.35) << "the load compresses the spring too far";
+  limiter.note_contacts(0.01, 0.001);
+  limiter.follow_contacts(false);
+  EXPECT_DOUBLE_EQ(limiter.factor(), 0.35) << "a softer spring would be compressed by 3.2 mm";
+  limiter.note_contacts(0.01, 0.001);
+  limiter.follow_contacts(true);
+  EXPECT_DOUBLE_EQ(limiter.factor(), 0.5);
+  limiter.note_contacts(0.01, 0.0001);
+  limiter.follow_contacts(false);
+  limiter.note_contacts(0.01, 0.0001);
+  limiter.follow_contacts(false);
+  EXPECT_EQ(limiter.factor(), 1) << "what hangs deep without load needs no short steps";
 }
 
 TEST(StepLimiter, CallsOverloadWhatShortStepsDoNotMend) {
