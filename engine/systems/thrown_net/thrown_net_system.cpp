@@ -43,6 +43,7 @@ CaptureSystem build_thrown_net_system(const Scenario& scenario) {
   const auto add = [&system](auto controller) { system.controllers.push_back({std::move(controller), 0}); };
   auto events = std::make_unique<ThrownNetEvents>(scenario, net.target);
   const auto times = events->times();
+  system.awaited = [watch = events.get()](double /*time*/) { return watch->awaited(); };
   add(std::move(events));
   auto drive = std::make_unique<SpacecraftDrive>(scenario.towing, scenario.spacecraft.station_keeping,
                                                  mass_of_all(net.model), net.spacecraft, times);

@@ -1953,6 +1953,10 @@
         <source>hub</source>
         <translation>中心盘</translation>
     </message>
+    <message>
+        <source>nothing touched the target</source>
+        <translation>没有任何东西接触目标</translation>
+    </message>
 </context>
 <context>
     <name>netpocket::AboutDialog</name>

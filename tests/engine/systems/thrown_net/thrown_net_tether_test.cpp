@@ -118,6 +118,15 @@ TEST(ThrownNetTether, DriveAndBrakeWaitForEvents) {
   EXPECT_NEAR(channel_of(simulation.snapshot(), "tether_length"), 3 - 0.2 * 1.5, 0.03);
 }
 
+TEST(ThrownNet, SaysThatItsEventNeverCame) {
+  const std::string far =
+      "[target]\nposition = [0, 300, 0]\n[drawstring]\nstarts_at = \"contact\"\nclosed_length = 1\n";
+  Simulation simulation(on_drum("length = 1\n", far + "[towing]\nstarts_at = \"closed\"\n"));
+  state_at(simulation, 0.1);
+  EXPECT_EQ(finished_run(simulation).message,
+            "reached the end time; the closing never started, since nothing touched the target; nor did the towing");
+}
+
 TEST(ThrownNetTether, StateIsComplete) {
   const Scenario scenario = on_drum("length = 1\ndrive = \"drag\"\ntension = 0.5\nbrake_at = 2\n");
   Simulation simulation(scenario), other(scenario);
