@@ -58,7 +58,8 @@ double Winch::motor_force(double tension, double dt) {
 double Winch::stopped_rate(double rate, double dt) const {
   if (jammed_) return 0;
   if (command_.brake) {
-    const double brake = std::min(settings_.brake_torque / settings_.drum_radius, settings_.slip_tension);
+    const double most = std::min(settings_.slip_tension, command_.most_brake);
+    const double brake = std::min(settings_.brake_torque / settings_.drum_radius, most);
     const double grip = brake * dt / mass_;
     rate -= std::clamp(rate, -grip, grip);
   }
@@ -90,8 +91,9 @@ void Winch::visit_state(const NumberVisitor& visit) {
   visit_count(visit, mode);
   command_.mode = static_cast<WinchMode>(std::min<std::uint64_t>(mode, 3));
   for (bool* flag : {&command_.brake, &jammed_, &started_}) visit_flag(visit, *flag);
-  for (double* number : {&command_.value, &command_.rate, &motion_.length, &motion_.rate, &motion_.acceleration,
-                         &last_tension_, &force_, &power_, &motor_work_, &rope_work_, &losses_}) {
+  for (double* number :
+       {&command_.value, &command_.rate, &command_.most_brake, &motion_.length, &motion_.rate, &motion_.acceleration,
+        &last_tension_, &force_, &power_, &motor_work_, &rope_work_, &losses_}) {
     visit(*number);
   }
   rate_loop_.visit_state(visit);

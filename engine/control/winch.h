@@ -53,6 +53,7 @@ struct WinchCommand {
   double value = 0;    // N m, m/s, m or N, by mode
   double rate = 0;     // m/s, L_w' in the mode length
   bool brake = false;  // engaged; the motor then rests
+  double most_brake = std::numeric_limits<double>::infinity();  // N, of the brake on the rope: a light brake drags
 };
 
 class Winch {

@@ -137,7 +137,7 @@ struct VariableRope {
 
 // A rope without mass that runs through rings, with friction there (dynamics/ropes/ring_flow.h). Retractors at its two
 // end nodes wind it, as a VariableRope, but its material moves from ring to ring as the tensions want. It has no
-// contact and is not drawn.
+// contact. A node group with the look of a rope lets it be drawn.
 struct RingRope {
   std::vector<std::int32_t> nodes;  // its ends and, in between, the rings in their order
   std::vector<double> lengths;      // m, natural, of the parts between nodes at the start

@@ -1,11 +1,15 @@
 // Models of cables of any kind, and systems that step them.
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <memory>
 
 #include "engine/dynamics/system/cable_system.h"
 #include "engine/model/model.h"
+#include "engine/orbit/reference_orbit.h"
 #include "engine/python/conversions.h"
 #include "engine/python/single_use.h"
 
@@ -68,6 +72,29 @@ std::int32_t add_box(Model& model, const std::string& name, const Eigen::Vector3
   body.state.position = position;
   body.state.velocity = velocity;
   return model.add_body(body);
+}
+
+// The enumerator with the name `given` among `names`, which are in the enumeration's order.
+template <typename Enum, std::size_t Count>
+Enum named(const std::array<std::string_view, Count>& names, const std::string& given, const char* what) {
+  const auto found = std::ranges::find(names, given);
+  if (found == names.end()) {
+    throw py::value_error(fmt::format("{} \"{}\" is not known; there are {}", what, given, fmt::join(names, ", ")));
+  }
+  return static_cast<Enum>(found - names.begin());
+}
+
+void set_orbit(Model& model, const std::string& field, const OrbitElements& elements, const std::string& x_along,
+               const std::string& y_along) {
+  constexpr std::array<std::string_view, 3> kFields = {"hill", "two_body", "two_body_j2"};
+  constexpr std::array<std::string_view, 6> kAxes = {"v_bar",       "minus_v_bar", "r_bar",
+                                                     "minus_r_bar", "h_bar",       "minus_h_bar"};
+  const auto x = named<LocalAxis>(kAxes, x_along, "axis"), y = named<LocalAxis>(kAxes, y_along, "axis");
+  if (!are_perpendicular(x, y)) throw py::value_error("x_along and y_along must be at right angles");
+  if (!(elements.perigee_radius > 6.4e6) || !(elements.eccentricity >= 0 && elements.eccentricity < 1)) {
+    throw py::value_error("an orbit needs a perigee radius above 6.4e6 m and an eccentricity from 0 to below 1");
+  }
+  model.orbit = orbit_of(elements, named<OrbitField>(kFields, field, "field"), x, y);
 }
 
 // A system that one thread at a time may use.
@@ -134,6 +161,20 @@ void bind_parts(py::module_& module) {
           },
           py::kw_only(), py::arg("restitution") = 0.5, py::arg("friction") = 0.0, py::arg("cords") = false,
           py::arg("bodies") = false, "Constants of contact, and what else touches besides cords and bodies.")
+      .def(
+          "orbit",
+          [](Model& m, const std::string& field, double perigee_radius, double eccentricity, double inclination,
+             double argument_of_perigee, double true_anomaly, const std::string& x_along, const std::string& y_along) {
+            set_orbit(m, field, {perigee_radius, eccentricity, inclination, argument_of_perigee, true_anomaly}, x_along,
+                      y_along);
+          },
+          py::arg("field") = "hill", py::kw_only(), py::arg("perigee_radius") = OrbitElements{}.perigee_radius,
+          py::arg("eccentricity") = 0.0, py::arg("inclination") = 0.0, py::arg("argument_of_perigee") = 0.0,
+          py::arg("true_anomaly") = 0.0, py::arg("x_along") = "h_bar", py::arg("y_along") = "v_bar",
+          "Puts the origin on an orbit (m, rad), whose tide then acts on everything; the axes do not turn. `field`: "
+          "\"hill\" (a circle), \"two_body\" or \"two_body_j2\". `x_along`, `y_along`: where the axes point at the "
+          "start, "
+          "\"v_bar\", \"r_bar\", \"h_bar\" or these with \"minus_\" before.")
       .def("find_fault", &Model::find_fault, "What is wrong with the model, one sentence, or None.")
       .def_property_readonly("node_count", [](const Model& m) { return m.nodes.size(); })
       .def_property_readonly("element_count", [](const Model& m) { return m.elements.size(); });

@@ -401,7 +401,7 @@ std::string find_fault(const Structure& structure) {
     if (group.look > CableLook::rope) return "the group of " + group.name + " has an unknown look";
   }
   for (const NodeGroup& group : structure.node_groups) {
-    if (group.look > NodeLook::adapter) return "the group of " + group.name + " has an unknown look";
+    if (group.look > NodeLook::rope) return "the group of " + group.name + " has an unknown look";
     for (const std::int32_t node : group.nodes) {
       if (!is_index(node, static_cast<std::size_t>(structure.node_count)))
         return "the group of " + group.name + " names a node that does not exist";

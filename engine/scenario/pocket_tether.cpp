@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -15,7 +16,6 @@ namespace {
 using namespace std::string_view_literals;
 
 constexpr std::array kReleases = {"time"sv, "closed"sv};
-constexpr std::array kTetherDrives = {"brake"sv, "rate"sv, "tension"sv};
 constexpr auto kTetherAssumption = "assumption"sv;
 constexpr auto kPublishedTether = "published set-up of a thrown net"sv;
 
@@ -41,7 +41,7 @@ const ParameterGroup& pocket_tether_group() {
 }
 
 std::vector<Parameter> pocket_tether_parameters() {
-  return {
+  std::vector<Parameter> all = {
       own_parameter("tether.attached", first_value<false>, {}, "",
                     "the rods stand on a hub, which the spacecraft lets go and tows on a tether", "user's choice"),
       own_parameter("tether.released_at", first_value<Choice{1}>, {}, "",
@@ -64,39 +64,16 @@ std::vector<Parameter> pocket_tether_parameters() {
                     "c of the axial force EA (eps + c epsdot)", kTetherAssumption),
       own_parameter("tether.bending_damping", first_value<1.6e-3>, from_to(0, 10), "s",
                     "c of the bending moment EI (kappa + c kappadot)", kTetherAssumption),
-      own_parameter("tether.winch", first_value<false>, {}, "",
-                    "the tether is wound by a drum on the spacecraft; it is then a line without inertia that is not "
-                    "drawn, and half of its mass stays at either end",
-                    "user's choice"),
-      own_parameter("tether.drive", first_value<Choice{0}>, {}, "",
-                    "brake: the drum is held, but for its clutch; rate: pays out by tether.rate; tension: keeps "
-                    "tether.tension",
-                    "user's choice", kTetherDrives),
-      own_parameter("tether.rate", first_value<0.0>, from_to(-100, 100), "m/s",
-                    "for drive = \"rate\"; negative: reels in", kTetherAssumption),
-      own_parameter("tether.tension", first_value<10.0>, from_to(0, 1e5), "N", "for drive = \"tension\"",
-                    kTetherAssumption),
-      own_parameter("tether.slip_tension", first_value<50.0>, from_to(0, 1e6), "N",
-                    "tension at which the drum's clutch slips, braked or driven", kTetherAssumption),
-      own_parameter("tether.brake_at", first_value<1e5>, from_to(0, 1e5), "s",
-                    "from when on the drum is braked for good", kTetherAssumption),
-      own_parameter("tether.drum_radius", first_value<0.1>, from_to(1e-3, 10), "m", "radius of the drum",
-                    kTetherAssumption),
-      own_parameter("tether.drum_inertia", first_value<0.01>, from_to(1e-6, 1e4), "kg m^2",
-                    "moment of inertia of all that turns with the drum", kTetherAssumption),
-      own_parameter("tether.motor_torque", first_value<10.0>, from_to(0, 1e5), "N m", "largest torque of its motor",
-                    kTetherAssumption),
-      own_parameter("tether.fastest", first_value<1.0>, from_to(0, 100), "m/s", "largest rate that its motor aims at",
-                    kTetherAssumption),
-      own_parameter("tether.reserve", first_value<20.0>, from_to(0, 1e4), "m",
-                    "tether on the drum at the start, besides tether.length", kTetherAssumption),
-      own_parameter("tether.least_length", first_value<0.5>, from_to(0.01, 1e4), "m",
-                    "at which the drum stops reeling in", kTetherAssumption),
+  };
+  for (const Parameter& parameter : tether_drum_parameters()) all.push_back(parameter);
+  const Parameter of_the_hub[] = {
       own_parameter("tether.hub_mass", first_value<20.0>, from_to(1e-2, 1e5), "kg",
                     "mass of the hub, a plate as wide as the rods' roots", kTetherAssumption),
       own_parameter("tether.hub_thickness", first_value<0.1>, from_to(1e-2, 10), "m", "thickness of that plate",
                     kTetherAssumption),
   };
+  all.insert(all.end(), std::begin(of_the_hub), std::end(of_the_hub));
+  return all;
 }
 
 PocketTether pocket_tether(const Scenario& scenario) {
@@ -108,18 +85,7 @@ PocketTether pocket_tether(const Scenario& scenario) {
       .length = number_of(scenario, "tether.length"),
       .elements = static_cast<int>(std::get<std::int64_t>(value_of(scenario, "tether.elements"))),
       .cord = {},
-      .has_winch = std::get<bool>(value_of(scenario, "tether.winch")),
-      .drive = static_cast<TetherDrive>(std::get<Choice>(value_of(scenario, "tether.drive")).index),
-      .rate = number_of(scenario, "tether.rate"),
-      .tension = number_of(scenario, "tether.tension"),
-      .slip_tension = number_of(scenario, "tether.slip_tension"),
-      .brake_at = number_of(scenario, "tether.brake_at"),
-      .drum_radius = number_of(scenario, "tether.drum_radius"),
-      .drum_inertia = number_of(scenario, "tether.drum_inertia"),
-      .motor_torque = number_of(scenario, "tether.motor_torque"),
-      .fastest = number_of(scenario, "tether.fastest"),
-      .reserve = number_of(scenario, "tether.reserve"),
-      .least_length = number_of(scenario, "tether.least_length"),
+      .drum = tether_drum(scenario),
       .hub_mass = number_of(scenario, "tether.hub_mass"),
       .hub_thickness = number_of(scenario, "tether.hub_thickness")};
   tether.cord.diameter = number_of(scenario, "tether.diameter");
@@ -145,10 +111,7 @@ void check_pocket_tether(const Scenario& scenario, Diagnostics& problems) {
     add("tether.elements",
         fmt::format("elements of {:.3g} m are shorter than the tether is thick", tether.length / tether.elements));
   }
-  if (tether.has_winch && tether.least_length > tether.length) {
-    add("tether.least_length",
-        fmt::format("{} m are more than the tether.length of {} m at the start", tether.least_length, tether.length));
-  }
+  check_tether_drum(scenario, true, problems);
   // The tether starts between the face and the hub's far side.
   const double face = scenario.spacecraft.position.y() + 0.5 * scenario.spacecraft.size.y();
   const double side = scenario.rods.profile.front().y() + tether.hub_thickness;

@@ -7,11 +7,11 @@
 #include "engine/base/diagnostics.h"
 #include "engine/scenario/parameters.h"
 #include "engine/scenario/scenario.h"
+#include "engine/scenario/tether_drum.h"
 
 namespace netpocket {
 
 enum class ReleaseEvent { time, closed };
-enum class TetherDrive { brake, rate, tension };
 
 struct PocketTether {
   bool attached;
@@ -21,19 +21,7 @@ struct PocketTether {
   double length;         // m
   int elements;
   CordParameters cord;
-  // Of its winch.
-  bool has_winch;
-  TetherDrive drive;
-  double rate;           // m/s, paying out
-  double tension;        // N
-  double slip_tension;   // N
-  double brake_at;       // s
-  double drum_radius;    // m
-  double drum_inertia;   // kg m^2
-  double motor_torque;   // N m
-  double fastest;        // m/s
-  double reserve;        // m, on the drum at the start
-  double least_length;   // m
+  TetherDrum drum;
   double hub_mass;       // kg
   double hub_thickness;  // m
 };

@@ -1,6 +1,7 @@
 #include "engine/scenario/strategy.h"
 
 #include "engine/scenario/system_parameters.h"
+#include "engine/scenario/tether_drum.h"
 
 namespace netpocket {
 
@@ -22,7 +23,7 @@ bool acts_at_once_in_pocket(std::string_view key) {
   if (key == "closing.elements") return false;
   return is_of_strategy(key) || key.starts_with("closing.") || key.starts_with("towing.") ||
          key.starts_with("deflation.") || key == "contact.friction" || key == "rods.pressure" ||
-         key == "spacecraft.station_keeping";
+         key == "spacecraft.station_keeping" || drum_acts_at_once(key);
 }
 
 bool acts_at_once(std::string_view key, std::string_view system) {

@@ -11,6 +11,7 @@
 #include "engine/math/elementary.h"
 #include "engine/scenario/check_scenario.h"
 #include "engine/scenario/system_parameters.h"
+#include "engine/scenario/tether_drum.h"
 
 namespace netpocket {
 namespace {
@@ -34,7 +35,7 @@ constexpr auto kZenit = "published set-up, net thrown at a stage of 9 t"sv;
 constexpr auto kAssumed = "assumption"sv;
 constexpr auto kUsers = "user's choice"sv;
 
-std::vector<Parameter> own_parameters() {
+std::vector<Parameter> parameters_before_drum() {
   return {
       own_parameter("net.shape", initial<Choice{0}>, {}, "",
                     "square: square meshes; hexagonal: a hexagon of triangular meshes; radial: spokes and rings, as a "
@@ -88,7 +89,11 @@ std::vector<Parameter> own_parameters() {
       own_parameter("tether.youngs_modulus", initial<70e9>, within_limits(1e3, 1e13), "Pa", "Young's modulus", kZenit),
       own_parameter("tether.axial_damping", initial<3e-5>, within_limits(0, 1), "s",
                     "c of the axial force EA (eps + c epsdot)", kAssumed),
+  };
+}
 
+std::vector<Parameter> drawstring_parameters() {
+  return {
       own_parameter(
           "drawstring.starts_at", initial<Choice{0}>, {}, "",
           "never: no drawstring, the perimeter is of the net's cord; time: at drawstring.start; contact: after the "
@@ -122,6 +127,14 @@ std::vector<Parameter> own_parameters() {
       own_parameter("drawstring.axial_damping", initial<3e-5>, within_limits(0, 1), "s",
                     "c of the axial force EA (eps + c epsdot)", kAssumed),
   };
+}
+
+std::vector<Parameter> own_parameters() {
+  std::vector<Parameter> all = parameters_before_drum();
+  for (const auto& more : {tether_drum_parameters(), drawstring_parameters()}) {
+    all.insert(all.end(), more.begin(), more.end());
+  }
+  return all;
 }
 
 class OwnValues {
@@ -193,6 +206,7 @@ class ThrownNetChecker {
     if (net_.tether_length < net_.gap) {
       add("tether.length", fmt::format("{} m do not reach the folded net {} m away", net_.tether_length, net_.gap));
     }
+    check_tether_drum(scenario_, net_.has_drawstring(), problems_);
   }
 
   void check_drawstring() {
@@ -271,7 +285,7 @@ void check_thrown_net(const Scenario& scenario, const Shape* target, Diagnostics
 bool acts_at_once_in_thrown_net(std::string_view key) {
   const bool is_of_winches =
       key.starts_with("winch.") && key != "winch.drive" && !key.starts_with("winch.drum_") && key != "winch.late";
-  return is_of_winches || key.starts_with("towing.") || key == "spacecraft.station_keeping" ||
+  return is_of_winches || drum_acts_at_once(key) || key.starts_with("towing.") || key == "spacecraft.station_keeping" ||
          key == "drawstring.start" || key == "drawstring.duration" || key == "drawstring.closed_length" ||
          key == "target.thrust" || key == "target.torque" || key.starts_with("target.acts_");
 }
@@ -321,6 +335,7 @@ ThrownNetParameters thrown_net_parameters(const Scenario& scenario) {
                           .tether_length = own.number("tether.length"),
                           .tether_elements = own.integer("tether.elements"),
                           .tether = cord_of(own, "tether"),
+                          .drum = tether_drum(scenario),
                           .draws_at = draws_at,
                           .drawstring = {},
                           .draw_delay = own.number("drawstring.delay"),

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "engine/scenario/scenario.h"
+#include "engine/scenario/tether_drum.h"
 
 namespace netpocket {
 
@@ -39,6 +40,7 @@ struct ThrownNetParameters {
   double tether_length;  // m
   int tether_elements;
   CordParameters tether;
+  TetherDrum drum;
   // Table "drawstring", round the perimeter.
   DrawstringStart draws_at;
   ClosingParameters drawstring;  // by side of the net; `start` of `draws_at`
@@ -49,6 +51,7 @@ struct ThrownNetParameters {
   double ring_spacing;           // m, of rope that stays between two rings
   CordParameters drawstring_cord;
 
+  bool is_wound() const { return tethered && drum.attached; }
   bool has_drawstring() const { return draws_at != DrawstringStart::never; }
   int corner_count() const { return shape == NetShape::square ? 4 : shape == NetShape::hexagonal ? 6 : spokes; }
   double side_of_perimeter() const;    // m

@@ -35,7 +35,8 @@ enum class NodeLook : std::uint8_t {
   nothing,
   joint,   // ball around a tube's node
   reel,    // spool at a tube's end, which winds a rope
-  adapter  // ring on the spacecraft on which the nodes lie
+  adapter,  // ring on the spacecraft on which the nodes lie
+  rope      // broad line from each node to the next
 };
 
 // Nodes with a common function, in their order round the system.

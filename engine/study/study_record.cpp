@@ -63,14 +63,43 @@ void erase_from(std::string& text, const std::string& first, const std::string& 
   text.erase(begin, end - begin);
 }
 
+// Erases the line of a parameter that a table has.
+void erase_key(std::string& text, std::string_view key) {
+  const auto dot = key.rfind('.');
+  const auto table = text.find(fmt::format("\n[{}]\n", key.substr(0, dot)));
+  const auto begin = text.find(fmt::format("\n{} = ", key.substr(dot + 1)), table);
+  if (table == text.npos || begin == text.npos) return;
+  text.erase(begin, std::min(text.find('\n', begin + 1), text.size()) - begin);
+}
+
 ParameterValue default_of(const Parameter& parameter) {
   return parameter.initial != nullptr ? parameter.initial() : parameter.get(Scenario{});
 }
 
 // Parameters that came after the first studies and whose default changes nothing.
-constexpr std::string_view kLater[] = {"contact.edge_radius",    "solver.most_steps",        "solver.fidelity",
-                                       "drawstring.passage",     "drawstring.ring_friction", "drawstring.ring_angle",
-                                       "drawstring.ring_spacing"};
+constexpr std::string_view kLater[] = {"contact.edge_radius",
+                                       "solver.most_steps",
+                                       "solver.fidelity",
+                                       "drawstring.passage",
+                                       "drawstring.ring_friction",
+                                       "drawstring.ring_angle",
+                                       "drawstring.ring_spacing",
+                                       "tether.winch",
+                                       "tether.drive",
+                                       "tether.rate",
+                                       "tether.tension",
+                                       "tether.drive_starts_at",
+                                       "tether.drive_delay",
+                                       "tether.slip_tension",
+                                       "tether.brake_starts_at",
+                                       "tether.brake_at",
+                                       "tether.brake_delay",
+                                       "tether.drum_radius",
+                                       "tether.drum_inertia",
+                                       "tether.motor_torque",
+                                       "tether.fastest",
+                                       "tether.reserve",
+                                       "tether.least_length"};
 
 // The complete scenario, but without [scatter] and later parameters where these do nothing: studies from before they
 // came are the same as after.
@@ -81,7 +110,7 @@ std::string identified_text(const Scenario& scenario) {
   for (const std::string_view key : kLater) {
     const Parameter* parameter = find_parameter(key, scenario);
     if (parameter == nullptr || parameter->get(scenario) != default_of(*parameter)) continue;
-    erase_from(text, fmt::format("\n{} = ", parameter->name()), "\n");
+    erase_key(text, key);
   }
   if (!scenario.orbit.is_on()) erase_from(text, "\n[orbit]\n", "\n[");
   return text;

@@ -9,6 +9,7 @@
 #include "render/scene/legend.h"
 #include "render/scene/palette.h"
 #include "render/scene/rod_actor.h"
+#include "render/scene/rope_line_actor.h"
 #include "render/scene/scale_bar.h"
 #include "render/scene/time_label.h"
 
@@ -78,6 +79,9 @@ void PocketScene::add_actors() {
   actors_.push_back(std::make_unique<JointActor>(structure_, options_.background));
   actors_.push_back(std::make_unique<CordActor>(structure_, scale_, net_style(options_)));
   actors_.push_back(std::make_unique<CordActor>(structure_, scale_, closing_rope_style(options_)));
+  if (!structure_.nodes(NodeLook::rope).empty()) {
+    actors_.push_back(std::make_unique<RopeLineActor>(structure_, closing_rope_style(options_)));
+  }
   if (options_.contact_arrows) actors_.push_back(std::make_unique<ContactArrows>(arrow_scale_, options_));
   if (options_.ghost) {
     auto ghost = std::make_unique<GhostActor>(structure_, options_);

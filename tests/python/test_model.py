@@ -59,6 +59,24 @@ def test_a_cord_falls_on_a_sphere_and_stays_out():
     assert distance.min() > 0.99 and snapshot.positions.shape == (17, 3)
 
 
+def test_an_orbit_drifts_as_clohessy_and_wiltshire_have_it():
+    radius, above = 7e6, 1.0
+    rate = math.sqrt(3.986004418e14 / radius**3)
+    model = netpocket.Model()
+    model.orbit("hill", perigee_radius=radius)  # x is H-bar, y V-bar: z points away from the Earth
+    # At rest in the axes that turn with the orbit, by -rate about x.
+    ball = model.add_sphere("ball", radius=0.1, mass=1, position=(0, 0, above), velocity=(0, rate * above, 0))
+    system = netpocket.System(model)
+    turn = 2 * math.pi / rate
+    system.step(turn / 20_000, 20_000)
+    position = system.body(ball).position
+    assert position == pytest.approx([0, -12 * math.pi * above, above], abs=1e-3)
+    with pytest.raises(ValueError, match="hill, two_body, two_body_j2"):
+        model.orbit("circle")
+    with pytest.raises(ValueError, match="right angles"):
+        model.orbit(x_along="v_bar", y_along="minus_v_bar")
+
+
 def test_faults_are_sentences():
     model, _ = pendulum()
     with pytest.raises(IndexError, match="no node 99"):

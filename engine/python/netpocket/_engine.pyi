@@ -186,6 +186,18 @@ class Model:
     def contact(
         self, *, restitution: float = 0.5, friction: float = 0.0, cords: bool = False, bodies: bool = False
     ) -> None: ...
+    def orbit(
+        self,
+        field: str = "hill",
+        *,
+        perigee_radius: float = ...,
+        eccentricity: float = 0.0,
+        inclination: float = 0.0,
+        argument_of_perigee: float = 0.0,
+        true_anomaly: float = 0.0,
+        x_along: str = "h_bar",
+        y_along: str = "v_bar",
+    ) -> None: ...
     def find_fault(self) -> Optional[str]: ...
     @property
     def node_count(self) -> int: ...

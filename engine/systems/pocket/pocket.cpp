@@ -16,6 +16,7 @@
 #include "engine/systems/pocket/materials.h"
 #include "engine/systems/pocket/sector_builder.h"
 #include "engine/systems/pocket/sector_variation.h"
+#include "engine/systems/tether_winch.h"
 
 namespace netpocket {
 namespace {
@@ -77,7 +78,7 @@ class PocketBuilder {
   void add_bodies();
   void add_hub();
   void add_tether();
-  void add_wound_tether(const Eigen::Vector3d& eye, const Eigen::Vector3d& far_side, const CableSection& section);
+  std::int32_t add_held_node(const Eigen::Vector3d& place, std::int32_t body);
   void add_rods();
   void add_lower_net();
   void add_upper_net();
@@ -149,25 +150,12 @@ void PocketBuilder::add_hub() {
   pocket_.model.locks = {{pocket_.spacecraft, pocket_.hub}};
 }
 
-// A line without inertia, whose drum is at its first end.
-void PocketBuilder::add_wound_tether(const Eigen::Vector3d& eye, const Eigen::Vector3d& far_side,
-                                     const CableSection& section) {
-  Model& model = pocket_.model;
-  RingRope rope{.nodes = {},
-                .lengths = {tether_.length},
-                .stiffness = section.EA,
-                .damping = section.axial_damping,
-                .least_part = tether_.least_length,
-                .share_at_start = 1};
-  for (const auto& [place, body] : {std::pair(eye, pocket_.spacecraft), {far_side, pocket_.hub}}) {
-    const std::int32_t node = model.add_node(place);
-    rope.nodes.push_back(node);
-    ModelNode& end = model.nodes.back();
-    end.support = Support::body;
-    end.body = body;
-    end.point_mass = 0.5 * section.mass_per_length * (tether_.length + tether_.reserve);
-  }
-  model.ring_ropes.push_back(std::move(rope));
+// A node at `place` that moves with a body.
+std::int32_t PocketBuilder::add_held_node(const Eigen::Vector3d& place, std::int32_t body) {
+  const std::int32_t node = pocket_.model.add_node(place);
+  pocket_.model.nodes.back().support = Support::body;
+  pocket_.model.nodes.back().body = body;
+  return node;
 }
 
 // Folded free of stress between the spacecraft's face and the hub (thrown_net.h).
@@ -179,7 +167,10 @@ void PocketBuilder::add_tether() {
   const Eigen::Vector3d eye = face + 0.1 * (far_side - face);
   const Eigen::Vector3d slope = (far_side - eye) / tether_.length;
   CableMaterial without_contact = cord_material(tether_.cord);
-  if (tether_.has_winch) return add_wound_tether(eye, far_side, without_contact.section);
+  if (tether_.drum.attached) {
+    return add_wound_tether(model, tether_.drum, without_contact.section, add_held_node(eye, pocket_.spacecraft),
+                            add_held_node(far_side, pocket_.hub));
+  }
   without_contact.radius = 0;  // folded, it would touch itself all over
   const std::int32_t material = model.add_material(without_contact), thread = model.add_thread("tether");
   const auto add_point = [&](int i) {

@@ -18,7 +18,7 @@
 #include "engine/systems/pocket/pocket_channels.h"
 #include "engine/systems/pocket/pocket_events.h"
 #include "engine/systems/pocket/tether_release.h"
-#include "engine/systems/pocket/tether_winch.h"
+#include "engine/systems/tether_winch.h"
 
 namespace netpocket {
 namespace {
@@ -98,7 +98,8 @@ CaptureSystem build(const Scenario& scenario) {
   }
   if (pocket.hub >= 0) add_controller<TetherRelease>(system, scenario, pocket.hub, times);
   if (!pocket.model.ring_ropes.empty()) {
-    add_controller<TetherWinch>(system, scenario, static_cast<std::int32_t>(pocket.model.ropes.size()), pocket.hub);
+    const auto rope = static_cast<std::int32_t>(pocket.model.ropes.size());
+    add_controller<TetherWinch>(system, scenario, TetherWinch::Parts{rope, pocket.hub, pocket.target}, times);
   }
   const PocketChannels channels(pocket);
   system.spacecraft = pocket.spacecraft;

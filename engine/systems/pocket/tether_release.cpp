@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "engine/systems/tether_winch.h"
+
 namespace netpocket {
 
 TetherRelease::TetherRelease(const Scenario& scenario, std::int32_t hub, std::shared_ptr<const CaptureTimes> times)
@@ -37,8 +39,7 @@ TetherChannels::TetherChannels(const Pocket& pocket)
             {"target_hub_distance", "m", "distance of the target's centre from the hub"},
             {"target_hub_speed", "m/s", "speed of the target's centre against the hub"}};
   if (rope_ < 0) return;
-  infos_.push_back({"tether_length", "m", "length of the tether outside its drum"});
-  infos_.push_back({"tether_rate", "m/s", "rate at which the drum pays out"});
+  for (const ChannelInfo& info : wound_tether_channels()) infos_.push_back(info);
 }
 
 void TetherChannels::fill(const CableSystem& system, std::size_t first, Snapshot& snapshot) const {

@@ -14,6 +14,7 @@
 #include "engine/model/reorder.h"
 #include "engine/scenario/target_shape.h"
 #include "engine/systems/pocket/materials.h"
+#include "engine/systems/tether_winch.h"
 
 namespace netpocket {
 namespace {
@@ -200,6 +201,8 @@ void ThrownNetBuilder::add_rings(const NetCord& cord) {
                                .extra_angle = given_.ring_angle,
                                .drag = kRingDrag * impedance,
                                .least_part = given_.ring_spacing});
+  model_.node_groups.push_back(
+      {fmt::format("drawstring {}", model_.ring_ropes.size()), NodeLook::rope, nodes_of(cord)});
   for (std::size_t part = 0; part < parts; ++part) {
     for (const std::size_t end : {part, part + 1}) {
       model_.nodes[static_cast<std::size_t>(net_.node_of(cord.knots[end]))].point_mass +=
@@ -230,18 +233,23 @@ void ThrownNetBuilder::add_corner_masses() {
     node.velocity = given_.speed * (sine(given_.angle) * out + cosine(given_.angle) * Eigen::Vector3d::UnitY());
     net_.corner_masses.push_back(mass);
   }
-  model_.node_groups = {{kCornerMasses, NodeLook::reel, net_.corner_masses}};
+  model_.node_groups.push_back({kCornerMasses, NodeLook::reel, net_.corner_masses});
 }
 
 void ThrownNetBuilder::add_tether() {
   const std::int32_t eye = model_.add_node(face_ + Eigen::Vector3d(0, std::min(kEye, 0.5 * given_.gap), 0));
   const std::int32_t middle = net_.node_of(net_.pattern.middle);
-  const std::int32_t material = model_.add_material(cord_material(given_.tether));
+  model_.nodes[static_cast<std::size_t>(eye)].support = Support::body;
+  model_.nodes[static_cast<std::size_t>(eye)].body = net_.spacecraft;
+  const CableMaterial cord = cord_material(given_.tether);
+  if (given_.is_wound()) {
+    net_.tether_rope = static_cast<std::int32_t>(model_.rope_count());
+    return add_wound_tether(model_, given_.drum, cord.section, eye, middle);
+  }
+  const std::int32_t material = model_.add_material(cord);
   const auto elements =
       add_chain({eye, middle}, given_.tether_elements, given_.tether_length, material, NetGroup::tether, "tether");
   net_.tether_end = elements.front();
-  model_.nodes[static_cast<std::size_t>(eye)].support = Support::body;
-  model_.nodes[static_cast<std::size_t>(eye)].body = net_.spacecraft;
 }
 
 // Spin and recoil: everything that is free turns about the axis; the spacecraft has the opposite momenta.

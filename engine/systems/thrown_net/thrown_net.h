@@ -23,8 +23,11 @@ struct ThrownNet {
   std::vector<std::int32_t> knots;          // nodes, by knot of the pattern
   std::vector<std::int32_t> corner_masses;  // nodes, in their order round the net
   std::vector<std::int32_t> net_elements;   // of the net's cords
-  std::int32_t tether_end = -1;             // element of the tether at the spacecraft; -1: no tether
+  std::int32_t tether_end = -1;             // element of the tether at the spacecraft; -1: none, or it is wound
+  std::int32_t tether_rope = -1;            // as the model numbers ropes, after all drawstrings; -1: it is not wound
 
+  // Ropes of the drawstring, which come first.
+  std::size_t drawstring_count() const { return model.rope_count() - (tether_rope >= 0 ? 1 : 0); }
   std::int32_t node_of(std::int32_t knot) const { return knots[static_cast<std::size_t>(knot)]; }
 };
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/systems/tether_winch.h"
+
 namespace netpocket {
 namespace {
 
@@ -25,8 +27,9 @@ ThrownNetChannels::ThrownNetChannels(const ThrownNet& net)
       corner_masses_(net.corner_masses),
       net_elements_(net.net_elements),
       tether_end_(net.tether_end),
-      has_drawstring_(net.model.rope_count() > 0),
-      has_rings_(!net.model.ring_ropes.empty()) {
+      tether_rope_(net.tether_rope),
+      drawstrings_(net.drawstring_count()),
+      rings_(drawstrings_ - net.model.ropes.size()) {
   // In the order of `fill`.
   infos_.push_back({"net_area", "m^2", "area of the net: the sum over triangles between its knots"});
   infos_.push_back({"net_area_part", "1", "that area by the flat net's"});
@@ -36,11 +39,16 @@ ThrownNetChannels::ThrownNetChannels(const ThrownNet& net)
   infos_.push_back(channel_info(Channel::rope_tension_max));
   infos_.push_back({"enclosure", "1", "part of all directions from the target's centre that the net covers"});
   infos_.push_back({"captured", "1", "1 while that is more than half: the net holds the target (our measure)"});
-  if (tether_end_ >= 0) infos_.push_back({"tether_tension", "N", "tension of the tether at the spacecraft"});
-  if (!has_drawstring_) return;
+  if (tether_end_ >= 0 || tether_rope_ >= 0) {
+    infos_.push_back({"tether_tension", "N", "tension of the tether at the spacecraft"});
+  }
+  if (tether_rope_ >= 0) {
+    for (const ChannelInfo& info : wound_tether_channels()) infos_.push_back(info);
+  }
+  if (drawstrings_ == 0) return;
   infos_.push_back({"drawstring_length", "m", "length of a side's drawstring outside the winches"});
   infos_.push_back({"drawstring_tension", "N", "tension of the drawstring, mean over its sides"});
-  if (!has_rings_) return;
+  if (rings_ == 0) return;
   infos_.back().meaning = "tension of the drawstring at the winches, mean";
   infos_.push_back({"drawstring_middle_tension", "N", "tension of the drawstring in the middle of a side, mean"});
 }
@@ -52,14 +60,13 @@ double ThrownNetChannels::corner_speed(const Snapshot& snapshot) const {
 }
 
 // N, mean over the sides.
-double ThrownNetChannels::middle_tension(const CableSystem& system) {
-  const std::size_t sides = system.model().ring_ropes.size();
+double ThrownNetChannels::middle_tension(const CableSystem& system) const {
   double sum = 0;
-  for (std::size_t side = 0; side < sides; ++side) {
+  for (std::size_t side = 0; side < rings_; ++side) {
     const std::vector<double> tensions = system.ring_rope_tensions(static_cast<std::int32_t>(side));
     sum += tensions[tensions.size() / 2];
   }
-  return sum / static_cast<double>(sides);
+  return sum / static_cast<double>(rings_);
 }
 
 void ThrownNetChannels::fill(const CableSystem& system, Snapshot& snapshot) const {
@@ -78,13 +85,18 @@ void ThrownNetChannels::fill(const CableSystem& system, Snapshot& snapshot) cons
   *out++ = enclosure;
   *out++ = enclosure > 0.5 ? 1 : 0;
   if (tether_end_ >= 0) *out++ = snapshot.tension[tether_end_] + 0.0;  // a slack one has -0
-  if (!has_drawstring_) return;
-  const std::size_t sides = system.model().rope_count();
+  if (tether_rope_ >= 0) {
+    *out++ = system.rope_tension(tether_rope_);
+    *out++ = system.rope_motion(tether_rope_).length;
+    *out++ = system.rope_motion(tether_rope_).rate;
+  }
+  if (drawstrings_ == 0) return;
   double tension = 0;
-  for (std::size_t rope = 0; rope < sides; ++rope) tension += system.rope_tension(static_cast<std::int32_t>(rope));
+  for (std::size_t rope = 0; rope < drawstrings_; ++rope)
+    tension += system.rope_tension(static_cast<std::int32_t>(rope));
   *out++ = system.rope_motion(0).length;
-  *out++ = tension / static_cast<double>(sides);
-  if (has_rings_) *out++ = middle_tension(system);
+  *out++ = tension / static_cast<double>(drawstrings_);
+  if (rings_ > 0) *out++ = middle_tension(system);
 }
 
 }  // namespace netpocket

@@ -21,7 +21,7 @@ class ThrownNetChannels {
 
  private:
   double corner_speed(const Snapshot& snapshot) const;
-  static double middle_tension(const CableSystem& system);
+  double middle_tension(const CableSystem& system) const;
 
   std::vector<ChannelInfo> infos_;
   std::size_t first_own_;
@@ -30,8 +30,8 @@ class ThrownNetChannels {
   Eigen::Vector3d start_;  // m, centre of the folded net
   std::int32_t target_;
   std::vector<std::int32_t> corner_masses_, net_elements_;
-  std::int32_t tether_end_;
-  bool has_drawstring_, has_rings_;
+  std::int32_t tether_end_, tether_rope_;
+  std::size_t drawstrings_, rings_;  // ropes of the drawstring; of these, ropes through rings
 };
 
 }  // namespace netpocket

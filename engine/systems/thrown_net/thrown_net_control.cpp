@@ -36,6 +36,13 @@ void ThrownNetEvents::adopt_given_times() {
   times_->towing_start = towing_.mode != TowingMode::none ? start : kNotYet;
 }
 
+std::string ThrownNetEvents::awaited() const {
+  if (given_.draws_at != DrawstringStart::contact || !std::isinf(times_->closing_start)) return "";
+  const bool tow_waits = towing_.mode != TowingMode::none && towing_.starts_at == TowingStart::closed;
+  return std::string("the closing never started, since nothing touched the target") +
+         (tow_waits ? "; nor did the towing" : "");
+}
+
 void ThrownNetEvents::update(const Measurements& measurements, double /*interval*/, Commands& /*commands*/) {
   const double now = measurements.time();
   const bool waits = given_.draws_at == DrawstringStart::contact && std::isinf(times_->closing_start);

@@ -3,6 +3,7 @@
 // drawstring.
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "engine/control/capture_times.h"
@@ -20,6 +21,8 @@ class ThrownNetEvents : public Controller {
   ThrownNetEvents(const Scenario& scenario, std::int32_t target);
 
   std::shared_ptr<const CaptureTimes> times() const { return times_; }
+  // What the run waited for in vain until it ended; empty: nothing.
+  std::string awaited() const;
 
   void update(const Measurements& measurements, double interval, Commands& commands) override;
   void after_step(const Measurements& measurements, double dt) override;

@@ -8,6 +8,7 @@
 #include "engine/scenario/check_orbit.h"
 #include "engine/scenario/thrown_net_parameters.h"
 #include "engine/systems/pocket/control_channels.h"
+#include "engine/systems/tether_winch.h"
 #include "engine/systems/thrown_net/thrown_net.h"
 #include "engine/systems/thrown_net/thrown_net_channels.h"
 #include "engine/systems/thrown_net/thrown_net_control.h"
@@ -42,18 +43,22 @@ CaptureSystem build_thrown_net_system(const Scenario& scenario) {
   const auto add = [&system](auto controller) { system.controllers.push_back({std::move(controller), 0}); };
   auto events = std::make_unique<ThrownNetEvents>(scenario, net.target);
   const auto times = events->times();
+  system.awaited = [watch = events.get()](double /*time*/) { return watch->awaited(); };
   add(std::move(events));
   auto drive = std::make_unique<SpacecraftDrive>(scenario.towing, scenario.spacecraft.station_keeping,
                                                  mass_of_all(net.model), net.spacecraft, times);
   if (scenario.orbit.turns()) drive->follow(*orbit_of(scenario));
   add(std::move(drive));
   std::vector<double> open_lengths;
-  for (std::size_t rope = 0; rope < net.model.rope_count(); ++rope) open_lengths.push_back(net.model.rope_length(rope));
+  for (std::size_t rope = 0; rope < net.drawstring_count(); ++rope) open_lengths.push_back(net.model.rope_length(rope));
   const WinchControl* winches = nullptr;
   if (!open_lengths.empty()) {
     auto drawstring = std::make_unique<DrawstringControl>(scenario, open_lengths, times);
     winches = drawstring->winches();
     add(std::move(drawstring));
+  }
+  if (net.tether_rope >= 0) {
+    add(std::make_unique<TetherWinch>(scenario, TetherWinch::Parts{net.tether_rope, -1, net.target}, times));
   }
   add(std::make_unique<TargetDrive>(scenario.target, net.target));
   system.spacecraft = net.spacecraft;

@@ -9,6 +9,7 @@
 
 #include "engine/scenario/parameter_text.h"
 #include "engine/scenario/strategy.h"
+#include "engine/scenario/tether_drum.h"
 #include "gui/workbench/panels/engine_words.h"
 
 namespace netpocket {
@@ -94,6 +95,60 @@ QString why_winch_unused(std::string_view name, WinchDrive drive) {
                     used_by({"tension", "tension_gain", "tension_derivative", "take_up_rate"}, {tension}) &&
                     used_by({"fastest", "rate_gain", "rate_integral"}, {length, rate, tension});
   return unused_unless(used, ParameterWords::tr("Not used by this drive."));
+}
+
+// Of a system that has this parameter.
+bool is_switched_on(const Scenario& scenario, std::string_view key) {
+  return std::get<bool>(find_parameter(key, scenario)->get(scenario));
+}
+
+std::string_view chosen(const Scenario& scenario, std::string_view key) {
+  const Parameter& parameter = *find_parameter(key, scenario);
+  return parameter.choices[static_cast<std::size_t>(std::get<Choice>(parameter.get(scenario)).index)];
+}
+
+bool is_of_drum(std::string_view key) {
+  static const std::vector<Parameter> kDrum = tether_drum_parameters();
+  return std::ranges::find(kDrum, key, &Parameter::key) != kDrum.end();
+}
+
+QString why_drum_unused(std::string_view name, const Scenario& scenario) {
+  const std::string_view drive = chosen(scenario, "tether.drive");
+  const bool has_motor = drive == "rate" || drive == "tension";
+  const bool brakes_at_time = chosen(scenario, "tether.brake_starts_at") == "time";
+  const bool used =
+      (name != "rate" || drive == "rate") && (name != "tension" || drive == "tension" || drive == "drag") &&
+      (has_motor || (name != "motor_torque" && name != "fastest")) && (drive != "brake" || !name.starts_with("drive_"));
+  if (!used) return ParameterWords::tr("Not used by this drive.");
+  const bool is_waited_for = (name != "brake_at" || brakes_at_time) && (name != "brake_delay" || !brakes_at_time);
+  return unused_unless(is_waited_for, ParameterWords::tr("Not used by this start."));
+}
+
+// Of a pocket or a thrown net.
+QString why_tether_unused(const Parameter& parameter, const Scenario& scenario) {
+  const std::string_view name = parameter.name();
+  if (name == "attached") return {};
+  if (!is_switched_on(scenario, "tether.attached")) return ParameterWords::tr("Used with a tether.");
+  if (name == "winch") return {};
+  const bool is_wound = is_switched_on(scenario, "tether.winch");
+  if (is_of_drum(parameter.key)) {
+    return is_wound ? why_drum_unused(name, scenario) : ParameterWords::tr("Used with a winch.");
+  }
+  if (name == "elements" || name == "bending_damping")
+    return unused_unless(!is_wound, ParameterWords::tr("Not used with a winch."));
+  if (!name.starts_with("release_")) return {};
+  const bool at_time = chosen(scenario, "tether.released_at") == "time";
+  return unused_unless(at_time == (name == "release_time"), ParameterWords::tr("Not used by this start."));
+}
+
+QString why_drawstring_unused(std::string_view name, const Scenario& scenario) {
+  const std::string_view start = chosen(scenario, "drawstring.starts_at");
+  if (name == "starts_at") return {};
+  if (start == "never") return ParameterWords::tr("Used with a drawstring.");
+  if ((name == "start" && start != "time") || (name == "delay" && start != "contact"))
+    return ParameterWords::tr("Not used by this start.");
+  return unused_unless(!name.starts_with("ring_") || chosen(scenario, "drawstring.passage") == "rings",
+                       ParameterWords::tr("Used with rings."));
 }
 
 // The unit that a controller's kind chooses from "rad/s, m/s" or from "m/s or m by quantity".
@@ -212,6 +267,9 @@ std::optional<QString> why_unused(const Parameter& parameter, const Scenario& sc
   if (parameter.group() == "closing") reason = why_closing_unused(parameter.name(), scenario.closing);
   if (parameter.group() == "solver") reason = why_solver_unused(parameter.name(), scenario.solver);
   if (parameter.group() == "winch") reason = why_winch_unused(parameter.name(), scenario.winch.drive);
+  const bool has_drum = find_parameter("tether.winch", scenario) != nullptr;
+  if (has_drum && parameter.group() == "tether") reason = why_tether_unused(parameter, scenario);
+  if (has_drum && parameter.group() == "drawstring") reason = why_drawstring_unused(parameter.name(), scenario);
   if (parameter.group() == "controller" && parameter.item < scenario.controllers.size()) {
     reason = why_controller_unused(parameter.name(), scenario.controllers[parameter.item]);
   }

@@ -87,6 +87,7 @@ inline constexpr auto kEngineSentences = std::to_array<const char*>({
     QT_TRANSLATE_NOOP("engine", "spacecraft and target came no nearer than %1 m"),
     QT_TRANSLATE_NOOP("engine", "the target was never inside the pocket from %1 s on"),
     QT_TRANSLATE_NOOP("engine", "the target was never inside the pocket"),
+    QT_TRANSLATE_NOOP("engine", "nothing touched the target"),
     QT_TRANSLATE_NOOP("engine", "the towing never started, since the mouth is closed at %1 s only"),
     QT_TRANSLATE_NOOP("engine", "out of memory"),
     QT_TRANSLATE_NOOP("engine", "a run that was opened from a file cannot be continued"),

@@ -48,6 +48,7 @@ class Sketch {
   QImage draw() {
     for (std::size_t i = 0; i < structure_.bodies.size(); ++i) add_body(i);
     add_cables();
+    add_rope_lines();
     // What is far away is drawn first and covered by what is near.
     std::ranges::stable_sort(strokes_, std::ranges::greater(), &Stroke::depth);
     QImage image(pixels_, QImage::Format_RGB32);
@@ -141,6 +142,21 @@ class Sketch {
                                                    curve.position(snapshot_, element, i + 1)};
         if (!project(ends, stroke)) continue;
         set_look(structure_.look_of(element), stroke);
+        strokes_.push_back(std::move(stroke));
+      }
+    }
+  }
+
+  // Ropes that run straight from node to node.
+  void add_rope_lines() {
+    for (const NodeGroup& group : structure_.node_groups) {
+      if (group.look != NodeLook::rope) continue;
+      for (std::size_t i = 0; i + 1 < group.nodes.size(); ++i) {
+        Stroke stroke;
+        const std::vector<Eigen::Vector3d> ends = {snapshot_.positions.col(group.nodes[i]),
+                                                   snapshot_.positions.col(group.nodes[i + 1])};
+        if (!project(ends, stroke)) continue;
+        set_look(CableLook::rope, stroke);
         strokes_.push_back(std::move(stroke));
       }
     }

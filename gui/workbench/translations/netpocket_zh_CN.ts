@@ -209,6 +209,30 @@
         <source>Used when the model is not “off”.</source>
         <translation>在模型不是“off”时使用。</translation>
     </message>
+    <message>
+        <source>Not used by this start.</source>
+        <translation>此触发条件不使用此项。</translation>
+    </message>
+    <message>
+        <source>Used with a tether.</source>
+        <translation>在有系绳时使用。</translation>
+    </message>
+    <message>
+        <source>Used with a winch.</source>
+        <translation>在有绞车时使用。</translation>
+    </message>
+    <message>
+        <source>Not used with a winch.</source>
+        <translation>有绞车时不使用。</translation>
+    </message>
+    <message>
+        <source>Used with a drawstring.</source>
+        <translation>在有束口绳时使用。</translation>
+    </message>
+    <message>
+        <source>Used with rings.</source>
+        <translation>在束口绳穿环时使用。</translation>
+    </message>
 </context>
 <context>
     <name>PartPresets</name>
@@ -1940,6 +1964,10 @@
     <message>
         <source>&quot;draft&quot; is for the evaluation mean_strain, not full</source>
         <translation>&quot;draft&quot; 只用于 mean_strain 计算方式，不用于 full</translation>
+    </message>
+    <message>
+        <source>nothing touched the target</source>
+        <translation>没有任何东西接触目标</translation>
     </message>
 </context>
 <context>
@@ -7275,20 +7303,8 @@
         <translation>绞车</translation>
     </message>
     <message>
-        <source>the tether is wound by a drum on the spacecraft; it is then a line without inertia that is not drawn, and half of its mass stays at either end</source>
-        <translation>系绳由服务航天器上的卷筒收放；此时它是一条没有惯性、不绘出的线，其质量两端各占一半</translation>
-    </message>
-    <message>
-        <source>brake: the drum is held, but for its clutch; rate: pays out by tether.rate; tension: keeps tether.tension</source>
-        <translation>brake：卷筒被制动，仅离合器可打滑；rate：按 tether.rate 放出；tension：保持 tether.tension</translation>
-    </message>
-    <message>
         <source>for drive = &quot;rate&quot;; negative: reels in</source>
         <translation>用于 drive = &quot;rate&quot;；负值为收回</translation>
-    </message>
-    <message>
-        <source>for drive = &quot;tension&quot;</source>
-        <translation>用于 drive = &quot;tension&quot;</translation>
     </message>
     <message>
         <source>Slip tension</source>
@@ -7542,6 +7558,50 @@
         <source>assumption; THEORY.md 7.4</source>
         <translation>假设；THEORY.md 7.4</translation>
     </message>
+    <message>
+        <source>the tether is wound by a drum on the spacecraft; it is then a straight line without inertia, and half of its mass stays at either end</source>
+        <translation>系绳由服务航天器上的卷筒收放；此时它是一条没有惯性的直线，其质量两端各占一半</translation>
+    </message>
+    <message>
+        <source>brake: the drum is held, but for its clutch; rate: pays out by tether.rate; tension: keeps tether.tension; drag: a light brake lets it run out where the tension exceeds tether.tension</source>
+        <translation>brake：卷筒被制动，仅离合器可打滑；rate：按 tether.rate 放出；tension：保持 tether.tension；drag：轻制动，张力超过 tether.tension 时放绳</translation>
+    </message>
+    <message>
+        <source>for drive = &quot;tension&quot; and &quot;drag&quot;</source>
+        <translation>用于 drive = &quot;tension&quot; 和 &quot;drag&quot;</translation>
+    </message>
+    <message>
+        <source>Drive starts at</source>
+        <translation>驱动触发条件</translation>
+    </message>
+    <message>
+        <source>when the drive begins; the drum is braked before. time: at tether.drive_delay; contact: that long after the first touch of the target; closed: that long after the end of the closing</source>
+        <translation>驱动何时开始；此前卷筒被制动。time：在 tether.drive_delay 时；contact：首次接触目标后再过该时长；closed：收口结束后再过该时长</translation>
+    </message>
+    <message>
+        <source>Drive delay</source>
+        <translation>驱动延迟</translation>
+    </message>
+    <message>
+        <source>from that event; for &quot;time&quot; from the start of the run</source>
+        <translation>从该事件起；对于 &quot;time&quot; 从运行开始起</translation>
+    </message>
+    <message>
+        <source>Brake starts at</source>
+        <translation>制动触发条件</translation>
+    </message>
+    <message>
+        <source>from when on the drum is braked for good. time: from tether.brake_at; contact: tether.brake_delay after the first touch of the target; closed: that long after the end of the closing</source>
+        <translation>卷筒从何时起一直被制动。time：从 tether.brake_at 起；contact：首次接触目标后 tether.brake_delay；closed：收口结束后再过该时长</translation>
+    </message>
+    <message>
+        <source>Brake delay</source>
+        <translation>制动延迟</translation>
+    </message>
+    <message>
+        <source>for brake_starts_at = &quot;contact&quot; and &quot;closed&quot;</source>
+        <translation>用于 brake_starts_at = &quot;contact&quot; 和 &quot;closed&quot;</translation>
+    </message>
 </context>
 <context>
     <name>scenarios</name>
@@ -7636,6 +7696,10 @@
     <message>
         <source>A small open net of 5 m flies at 1 m/s over a ball of 2 m and wraps it by itself</source>
         <translation>一张张开的 5 m 小绳网以 1 m/s 飞向 2 m 的球，并自行将其包住</translation>
+    </message>
+    <message>
+        <source>A net is thrown at a rocket stage; a drum pays out the tether under a light brake, holds it and gives way in the tow</source>
+        <translation>飞网抛向一枚火箭级；卷筒在轻制动下放出系绳，随后锁住，并在拖曳时打滑让绳</translation>
     </message>
 </context>
 </TS>

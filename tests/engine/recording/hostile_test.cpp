@@ -167,7 +167,7 @@ TEST(Hostile, WrongIndices) {
   EXPECT_EQ(last("/structure/element_thread", 2), "element 19 names a thread that does not exist");
   EXPECT_EQ(last("/structure/element_group", 3), "element 19 names a group that does not exist");
   EXPECT_EQ(last("/structure/group_look", 3), "the group of closing ropes has an unknown look");
-  EXPECT_EQ(last("/structure/node_group_look", 4), "the group of rod tips has an unknown look");
+  EXPECT_EQ(last("/structure/node_group_look", 5), "the group of rod tips has an unknown look");
   EXPECT_EQ(last("/structure/node_group_size", 3), "a group of nodes is larger than what is stored of it");
   EXPECT_EQ(last("/structure/body_shape", 5), "a body has an unknown shape");
   EXPECT_EQ(last("/structure/body_shape", 4), "a body names a mesh that does not exist");

@@ -58,6 +58,42 @@ TEST(ParameterWords, OnlyWhatIsUsed) {
   EXPECT_TRUE(why_unused(parameter("towing.size"), scenario));
 }
 
+TEST(ParameterWords, TethersDrumsAndDrawstringsAreUsedWhereThereAreSuch) {
+  Scenario scenario;
+  const auto is_used = [&](const char* key) { return !why_unused(*find_parameter(key, scenario), scenario); };
+  const auto set = [&](const char* key, const ParameterValue& value) {
+    find_parameter(key, scenario)->set(scenario, value);
+  };
+  EXPECT_TRUE(is_used("tether.attached"));
+  EXPECT_FALSE(is_used("tether.length")) << "a pocket has no tether by default";
+  EXPECT_FALSE(is_used("tether.hub_mass"));
+  scenario.system = "thrown_net";
+  EXPECT_TRUE(is_used("tether.length"));
+  EXPECT_TRUE(is_used("tether.winch"));
+  EXPECT_TRUE(is_used("tether.elements"));
+  EXPECT_FALSE(is_used("tether.slip_tension")) << "no drum by default";
+  set("tether.winch", true);
+  EXPECT_FALSE(is_used("tether.elements"));
+  EXPECT_TRUE(is_used("tether.slip_tension"));
+  EXPECT_TRUE(is_used("tether.brake_at"));
+  EXPECT_FALSE(is_used("tether.brake_delay"));
+  EXPECT_FALSE(is_used("tether.tension")) << "the drum is braked by default";
+  set("tether.drive", Choice{3});
+  EXPECT_TRUE(is_used("tether.tension"));
+  EXPECT_FALSE(is_used("tether.motor_torque")) << "a light brake needs no motor";
+  set("tether.brake_starts_at", Choice{1});
+  EXPECT_FALSE(is_used("tether.brake_at"));
+  EXPECT_TRUE(is_used("tether.brake_delay"));
+  EXPECT_TRUE(is_used("drawstring.starts_at"));
+  EXPECT_FALSE(is_used("drawstring.closed_length"));
+  set("drawstring.starts_at", Choice{2});
+  EXPECT_TRUE(is_used("drawstring.delay"));
+  EXPECT_FALSE(is_used("drawstring.start"));
+  EXPECT_FALSE(is_used("drawstring.ring_friction"));
+  set("drawstring.passage", Choice{1});
+  EXPECT_TRUE(is_used("drawstring.ring_friction"));
+}
+
 TEST(ParameterWords, StrategyActsAtOnce) {
   EXPECT_EQ(edit_effect(parameter("closing.duration")), EditEffect::at_once);
   EXPECT_EQ(edit_effect(parameter("closing.elements")), EditEffect::restart);

@@ -19,6 +19,9 @@
 #include "gui/workbench/dialogs/part_dialog.h"
 #include "gui/workbench/editor/difference_table.h"
 #include "gui/workbench/editor/edit_command.h"
+#include "gui/workbench/editor/parameter_field.h"
+#include "gui/workbench/editor/parameter_form.h"
+#include "gui/workbench/editor/parameter_row.h"
 #include "gui/workbench/editor/scenario_editor.h"
 #include "gui/workbench/file_actions.h"
 #include "tests/gui/workbench/window_fixture.h"
@@ -189,6 +192,29 @@ TEST_F(EditTest, APartIsPutInAsOneStepAfterAPreview) {
   EXPECT_EQ(document().scenario().rods.profile, before.rods.profile);
   document().undo_stack()->undo();
   EXPECT_TRUE(differing_keys(before, document().scenario()).isEmpty());
+}
+
+// The form has the tables of the system, and gives way to rows of the drum, the drawstring and the orbit where they
+// act.
+TEST_F(EditTest, FormShowsWhatAThrownNetUses) {
+  window_->file_actions().open_preset("thrown_net_winch");
+  const auto row = [&](const char* key) { return window_->editor().form()->row(key); };
+  const auto can_be_edited = [&](const char* key) { return row(key) != nullptr && row(key)->field()->isEnabled(); };
+  EXPECT_EQ(row("rods.density"), nullptr) << "of a pocket";
+  EXPECT_TRUE(can_be_edited("tether.slip_tension"));
+  EXPECT_TRUE(can_be_edited("tether.tension"));
+  EXPECT_FALSE(can_be_edited("tether.elements")) << "a wound tether has none";
+  EXPECT_TRUE(can_be_edited("drawstring.delay"));
+  EXPECT_FALSE(can_be_edited("drawstring.ring_friction"));
+  EXPECT_FALSE(can_be_edited("orbit.altitude"));
+  ASSERT_FALSE(document().set_value(*find_parameter("tether.winch", document().scenario()), false));
+  EXPECT_FALSE(can_be_edited("tether.slip_tension"));
+  EXPECT_TRUE(can_be_edited("tether.elements"));
+  const Parameter& passage = *find_parameter("drawstring.passage", document().scenario());
+  ASSERT_FALSE(document().set_value(passage, Choice{1}));
+  EXPECT_TRUE(can_be_edited("drawstring.ring_friction"));
+  document().undo_stack()->undo();
+  EXPECT_FALSE(can_be_edited("drawstring.ring_friction"));
 }
 
 TEST_F(EditTest, PartsDoNotFitAnotherSystem) {

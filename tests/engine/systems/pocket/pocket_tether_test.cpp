@@ -100,7 +100,7 @@ TEST(PocketTether, ClutchOfItsWinchLimitsTheJerk) {
   const Model model = build_capture_system(scenario).model;
   ASSERT_EQ(model.ring_ropes.size(), 1u);
   const double stiffness = model.ring_ropes[0].stiffness / tether.length;
-  const double drum = tether.drum_inertia / (tether.drum_radius * tether.drum_radius);
+  const double drum = tether.drum.inertia / (tether.drum.radius * tether.drum.radius);
   Simulation simulation(scenario);
   ASSERT_EQ(simulation.advance(2.45).reason, RunReason::finished);
   EXPECT_EQ(pocket_channel(simulation.snapshot(), "tether_length"), 1);
