@@ -27,6 +27,7 @@ enum class TowingMode { none, force, acceleration, velocity, controlled };
 enum class TowingStart { time, closed };
 enum class StationKeeping { free, attitude, lateral };
 enum class Evaluation { mean_strain, full };
+enum class Symmetry { off, automatic };
 enum class OrbitModel { off, hill, two_body, two_body_j2 };
 enum class OrbitAxes { fixed, local };
 
@@ -145,6 +146,7 @@ struct SolverParameters {
   double perturbation = 0;              // m, largest random displacement of free nodes at the start, by component
   int seed = 1;                         // of the perturbation's random numbers
   int most_steps = 0;                   // after which a run ends; 0: no limit
+  Symmetry symmetry = Symmetry::off;    // whether one sector stands for all while they are alike
 };
 
 // The orbit of the world's origin (orbit/reference_orbit.h). The world's axes do not turn.

@@ -51,6 +51,7 @@ class AppliedForces {
     touch(coordinate);
     forces_.add(coordinate, force);
   }
+  Eigen::Vector3d get(std::int32_t coordinate) const { return forces_.get(coordinate); }
   // Marks a coordinate to which a force is going to be added in data().
   void touch(std::int32_t coordinate) {
     if (mark(coordinate) == Mark::touched) return;

@@ -9,11 +9,13 @@
 
 namespace netpocket {
 
-// For each element, the element that continues its cord at the second end, or -1.
+// For each element, the element that continues its cord at the second end, or -1. Elements without thickness, which
+// touch nothing, continue none.
 inline std::vector<std::int32_t> next_elements(const Model& model) {
   std::vector<std::int32_t> starting(model.gradients.size(), -1), next;
   for (std::size_t i = model.elements.size(); i-- > 0;) {
-    starting[static_cast<std::size_t>(model.elements[i].gradient1)] = static_cast<std::int32_t>(i);
+    const auto index = static_cast<std::int32_t>(i);
+    if (model.radius_of(index) > 0) starting[static_cast<std::size_t>(model.elements[i].gradient1)] = index;
   }
   next.reserve(model.elements.size());
   for (const ModelElement& element : model.elements) {

@@ -28,10 +28,11 @@ const ForceKernels& force_kernels() {
   return chosen;
 }
 
-// Several threads divide the elements, and meanwhile one looks for contacts: then elements come first.
+// Several threads divide the elements, and meanwhile one looks for contacts: then elements come first. So they do where
+// coordinates are tied, because most forces must be known before anything moves.
 std::optional<PairedElements> paired(const CableElements& elements, const CableState& state,
-                                     const SystemThreads& threads) {
-  if (elements.is_full() || threads.count() > 1) return std::nullopt;
+                                     const SystemThreads& threads, const TiedCoordinates* ties) {
+  if (elements.is_full() || threads.count() > 1 || ties != nullptr) return std::nullopt;
   PairedElements pairs(elements.batch(), elements.batch_elements(), state.layout.size());
   return pairs.middle_count() > 0 ? std::optional(std::move(pairs)) : std::nullopt;
 }
@@ -40,7 +41,7 @@ std::optional<PairedElements> paired(const CableElements& elements, const CableS
 
 SystemForces::SystemForces(const Model& model, CableElements& elements, const CableState& state,
                            const RingRopes& ring_ropes, SystemContacts& contacts, TravelledWay& travelled,
-                           const SystemThreads& threads)
+                           const SystemThreads& threads, TiedCoordinates* ties)
     : model_(model),
       elements_(elements),
       state_(state),
@@ -48,7 +49,8 @@ SystemForces::SystemForces(const Model& model, CableElements& elements, const Ca
       contacts_(contacts),
       travelled_(travelled),
       threads_(threads),
-      pairs_(paired(elements, state, threads)),
+      ties_(ties),
+      pairs_(paired(elements, state, threads, ties)),
       assembly_(elements.batch_elements(), state.layout.size(), threads.count(),
                 pairs_ ? pairs_->is_middle() : std::span<const std::uint8_t>()),
       wrinkling_(model, elements.batch_elements(), elements.is_full()),
@@ -120,8 +122,14 @@ void SystemForces::compute(double dt, bool with_elements) {
   } else {
     add_others();
   }
-  contacts_.add_cord_forces(
-      times, [this](auto blocks, double* rows) { sum(blocks, rows); }, applied_, wrenches_);
+  const auto sum_forces = [this](auto blocks, double* rows) { sum(blocks, rows); };
+  if (ties_ != nullptr) {
+    contacts_.share_among(*ties_);
+    ties_->share_forces(sum_forces, applied_);
+    ties_->begin_applied(applied_);
+  }
+  contacts_.add_cord_forces(times, sum_forces, applied_, wrenches_);
+  if (ties_ != nullptr && contacts_.with_bodies().has_contacts()) ties_->share_applied(applied_);
   if (tide_) tide_->compute();
   for (std::size_t b = 0; b < wrenches_.size(); ++b) {
     add_attachments(b);
@@ -179,7 +187,9 @@ void SystemForces::add_hinges(double kick) {
       hinge_safeguards_.loose_hinges += block.is_loose[lane] > 0 ? 1 : 0;
     }
   }
-  for (std::size_t b = 0; b < wrenches_.size(); ++b) wrenches_[b].torque += hinge_torques_[b].total();
+  for (std::size_t b = 0; b < wrenches_.size(); ++b) {
+    wrenches_[b].torque += of_all_sectors({{0, 0, 0}, hinge_torques_[b].total()}, sectors()).torque;
+  }
 }
 
 void SystemForces::add_lines() {
@@ -210,7 +220,7 @@ void SystemForces::add_attachments(std::size_t body) {
     force.add(attachment.coordinate, wrench.force);
     torque.add(attachment.coordinate, wrench.torque);
   }
-  wrenches_[body] += Wrench{force.total(), torque.total()};
+  wrenches_[body] += of_all_sectors({force.total(), torque.total()}, sectors());
 }
 
 void SystemForces::add_gravity(std::size_t body) {
@@ -291,6 +301,7 @@ double SystemForces::load_work() const {
   for (std::int32_t coordinate = 0; loads != nullptr && coordinate < state_.layout.size(); ++coordinate) {
     work += loads->get(coordinate).dot(state_.coordinates.get(coordinate));
   }
+  work *= sectors();
   for (std::size_t b = 0; b < wrenches_.size(); ++b) {
     work += model_.bodies[b].mass * model_.gravity.dot(state_.bodies[b].centre());
   }
