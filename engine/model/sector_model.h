@@ -26,6 +26,7 @@ class SectorTurn {
  public:
   explicit SectorTurn(int sectors);
 
+  // `turns`: more than -sectors, less than sectors.
   int sectors() const { return static_cast<int>(cosine_.size()); }
   double cosine(int turns) const { return cosine_[index(turns)]; }
   double sine(int turns) const { return sine_[index(turns)]; }
@@ -36,8 +37,7 @@ class SectorTurn {
 
  private:
   std::size_t index(int turns) const {
-    const int count = sectors();
-    return static_cast<std::size_t>((turns % count + count) % count);
+    return static_cast<std::size_t>(turns < 0 ? turns + sectors() : turns);
   }
   std::vector<double> cosine_, sine_;
 };

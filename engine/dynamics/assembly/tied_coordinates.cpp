@@ -9,7 +9,7 @@ TiedCoordinates::TiedCoordinates(const SectorModel& sector, const CoordinateLayo
   const SectorTurn turn(sector.sectors);
   const auto add = [&](std::int32_t node, int turns) {
     const std::int32_t coordinate = layout.position(node);
-    places_.push_back({coordinate, 0, turn.cosine(turns), turn.sine(turns)});
+    places_.push_back({coordinate, turns != 0, 0, turn.cosine(turns), turn.sine(turns)});
     coordinates_.push_back(coordinate);
     blocks_.push_back(coordinate / kBlockSize);
   };
@@ -24,23 +24,78 @@ TiedCoordinates::TiedCoordinates(const SectorModel& sector, const CoordinateLayo
   }
   std::ranges::sort(blocks_);
   blocks_.erase(std::unique(blocks_.begin(), blocks_.end()), blocks_.end());
+  rows_.resize(blocks_.size() * kRows);
+  const auto row_of = [](std::int32_t coordinate, std::ptrdiff_t block) {
+    return static_cast<std::size_t>(block) * kRows + static_cast<std::size_t>(coordinate % kBlockSize);
+  };
   for (Place& place : places_) {
     const auto block = std::ranges::lower_bound(blocks_, place.coordinate / kBlockSize) - blocks_.begin();
-    place.row = static_cast<std::size_t>(block) * kRows + static_cast<std::size_t>(place.coordinate % kBlockSize);
+    place.row = row_of(place.coordinate, block);
+  }
+  for (const Group& group : groups_) {
+    const std::int32_t leader = coordinates_[group.first];
+    for (std::size_t i = group.first + 1; i < group.first + group.count; ++i) {
+      const Place& place = places_[i];
+      followers_.push_back({row_of(place.coordinate, place.coordinate / kBlockSize),
+                            row_of(leader, leader / kBlockSize), place.row, place.is_turned, place.cosine, place.sine});
+    }
   }
 }
 
-void TiedCoordinates::share_masses(std::span<const double> mass, std::span<double> inverse_mass,
-                                   std::span<double> moving_mass, std::span<const std::int32_t> changed) const {
-  const auto has_changed = [&](std::int32_t coordinate) { return std::ranges::binary_search(changed, coordinate); };
-  for_each_group([&](std::span<const std::int32_t> copies) {
-    if (!changed.empty() && std::ranges::none_of(copies, has_changed)) return;
+std::vector<TiedCoordinates::Group> TiedCoordinates::groups_with(std::span<const std::int32_t> coordinates) const {
+  std::vector<Group> found;
+  for (const Group& group : groups_) {
+    const auto is_one = [&](std::int32_t copy) { return std::ranges::binary_search(coordinates, copy); };
+    if (std::ranges::any_of(copies(group), is_one)) found.push_back(group);
+  }
+  return found;
+}
+
+void TiedCoordinates::share_masses(std::span<const Group> groups, std::span<const double> mass,
+                                   std::span<double> inverse_mass, std::span<double> moving_mass) const {
+  for (const Group& group : groups) {
     double total = 0;
-    for (const std::int32_t copy : copies) total += mass[static_cast<std::size_t>(copy)];
-    for (const std::int32_t copy : copies) {
+    for (const std::int32_t copy : copies(group)) total += mass[static_cast<std::size_t>(copy)];
+    for (const std::int32_t copy : copies(group)) {
       inverse_mass[static_cast<std::size_t>(copy)] = 1 / total;
-      moving_mass[static_cast<std::size_t>(copy)] = copy == copies.front() ? total : 0;
+      moving_mass[static_cast<std::size_t>(copy)] = 0;
     }
+    moving_mass[static_cast<std::size_t>(coordinates_[group.first])] = total;
+  }
+}
+
+void TiedCoordinates::lead(AppliedForces& applied) const {
+  for (const Group& group : groups_) applied.touch(coordinates_[group.first]);
+  double* forces = applied.data();
+  for (const Follower& follower : followers_) {
+    const double* force = rows_.data() + follower.row;
+    double* leader = forces + follower.leader;
+    double x = force[0], z = force[2 * kBlockSize];
+    if (follower.is_turned) {
+      const double turned_x = follower.cosine * x + follower.sine * z;
+      z = follower.cosine * z - follower.sine * x;
+      x = turned_x;
+    }
+    leader[0] += x;
+    leader[kBlockSize] += force[kBlockSize];
+    leader[2 * kBlockSize] += z;
+  }
+}
+
+template <typename Force>
+void TiedCoordinates::share(AppliedForces& applied, const Force& force) const {
+  for (const Group& group : groups_) {
+    const std::span<const Place> places(places_.data() + group.first, group.count);
+    Eigen::Vector3d total = force(places[0]);
+    for (const Place& place : places.subspan(1)) total += turned_back(place, force(place));
+    for (const Place& place : places) applied.add(place.coordinate, turned(place, total) - force(place));
+  }
+}
+
+void TiedCoordinates::share(AppliedForces& applied) const {
+  share(applied, [this](const Place& place) -> Eigen::Vector3d {
+    const double* x = rows_.data() + place.row;
+    return {x[0], x[kBlockSize], x[2 * kBlockSize]};
   });
 }
 
@@ -56,12 +111,14 @@ void TiedCoordinates::share_applied(AppliedForces& applied) {
 }
 
 void TiedCoordinates::follow(CoordinateVectors& vectors) const {
-  for (const Group& group : groups_) {
-    const Eigen::Vector3d leader = vectors.get(places_[group.first].coordinate);
-    for (std::size_t i = 1; i < group.count; ++i) {
-      const Place& place = places_[group.first + i];
-      vectors.set(place.coordinate, turned(place, leader));
-    }
+  double* rows = vectors.data();
+  for (const Follower& follower : followers_) {
+    const double* leader = rows + follower.leader;
+    double* place = rows + follower.place;
+    const double x = leader[0], z = leader[2 * kBlockSize];
+    place[kBlockSize] = leader[kBlockSize];
+    place[0] = follower.is_turned ? follower.cosine * x - follower.sine * z : x;
+    place[2 * kBlockSize] = follower.is_turned ? follower.sine * x + follower.cosine * z : z;
   }
 }
 

@@ -84,6 +84,7 @@ class CableElements {
   std::vector<double> mass_;
   AlignedVector<double> inverse_mass_, moving_mass_;
   std::vector<double> mass_without_ropes_;  // by entry of ropes_.massive_coordinates()
+  std::vector<TiedCoordinates::Group> massive_ties_;
 };
 
 }  // namespace netpocket

@@ -77,7 +77,7 @@ CableSystem::Impl::Impl(Model&& source, const SystemOptions& options, const Orig
       ring_ropes(model, state.layout),
       contacts(model, elements, state, threads, ties ? ties->sectors() : 1),
       forces(model, elements, state, ring_ropes, contacts, travelled, threads, ties ? &*ties : nullptr),
-      integrator(model, elements, state, forces, threads, travelled.weights()),
+      integrator(model, elements, state, forces, threads, travelled.weights(), ties ? &*ties : nullptr),
       energies(elements, state, ring_ropes, contacts, forces, element_states, integrator, ties ? ties->sectors() : 1) {
   ring_ropes.stretch(state.coordinates);
   begin_account();
@@ -129,11 +129,7 @@ void CableSystem::Impl::step(double dt) {
   safeguards += forces.hinge_safeguards();
   energies.add_spent_in_contacts(contacts.note_step(kick, safeguards));
   const auto fastest = integrator.move(state.velocities, state.coordinates, kick, dt);
-  if (ties) {
-    ties->follow(state.coordinates);
-    ties->follow(state.velocities);
-    safeguards = before + (safeguards - before) * ties->sectors();
-  }
+  if (ties) safeguards = before + (safeguards - before) * ties->sectors();
   energies.after_coordinates(kick);
   elements.ropes().finish_step(dt);
   step_bodies(kick, dt);

@@ -11,7 +11,7 @@
 namespace netpocket {
 namespace {
 
-// Largest gap (m) of cords that the search of contacts may ask for before it looks at them again.
+// Gap (m) of cords that must be left: more than what they approach each other by in a step.
 constexpr double kReach = 0.1;
 
 // Index of what stands for each place in the sectors: the first copy of it.
@@ -99,6 +99,11 @@ NeighbourWatch::NeighbourWatch(const Model& whole, const CableState& state, cons
   contact_ = std::make_unique<CordContact>(model_, layout_, coordinates_, inverse_mass);
 }
 
+void NeighbourWatch::forget() {
+  contact_->forget_candidates();
+  gap_ = way_ = 0;
+}
+
 void NeighbourWatch::take_over(const CableState& sector, const std::vector<double>& lengths) {
   for (const Copy& copy : copies_) {
     coordinates_.set(copy.coordinate, turn_(copy.turns, sector.coordinates.get(copy.of_sector)));
@@ -111,9 +116,8 @@ void NeighbourWatch::take_over(const CableState& sector, const std::vector<doubl
 
 // Seen along the axis, a sector takes up an angle at a distance from the axis. The one after the next is turned by two
 // sectors; between points of both that are at least r from the axis and an angle a apart, the distance is at least
-// 2 r sin(a/2).
-bool NeighbourWatch::far_sectors_are_clear(const CableState& sector, const std::vector<double>& lengths) const {
-  if (sector_.sectors < 4) return true;
+// 2 r sin(a/2). A lower bound, m.
+double NeighbourWatch::gap_of_far_sectors(const CableState& sector, const std::vector<double>& lengths) const {
   const double half = std::numbers::pi / sector_.sectors;
   double first = 0, last = 0, nearest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < sector_.element_of.size(); ++i) {
@@ -124,7 +128,7 @@ bool NeighbourWatch::far_sectors_are_clear(const CableState& sector, const std::
     const double off = farthest_from_chord(end - start, sector.coordinates.get(layout.gradient(element.gradient1)),
                                            sector.coordinates.get(layout.gradient(element.gradient2)), lengths[i]);
     const double from_axis = distance_from_axis(start, end);
-    if (!(from_axis > off)) return false;
+    if (!(from_axis > off)) return 0;
     const double more = 0.5 * std::numbers::pi * off / from_axis;  // at least the arc sine
     for (const Eigen::Vector3d& point : {start, end}) {
       double angle = arc_tangent(point.z(), point.x()) - half;
@@ -135,17 +139,20 @@ bool NeighbourWatch::far_sectors_are_clear(const CableState& sector, const std::
     nearest = std::min(nearest, from_axis - off);
   }
   const double apart = std::min(4 * half - (last - first), std::numbers::pi);
-  return apart > 0 && 2 * nearest * sine(0.5 * apart) > kReach;
+  return apart > 0 ? 2 * nearest * sine(0.5 * apart) : 0;
 }
 
 std::optional<std::string> NeighbourWatch::look(const CableState& sector, const std::vector<double>& lengths,
                                                 const Motion& motion) {
   contact_->note_way(motion.way);
+  way_ += motion.way;
+  if (sector_.sectors > 3 && !(gap_ - 2 * way_ > kReach)) {
+    gap_ = gap_of_far_sectors(sector, lengths);
+    way_ = 0;
+    if (!(gap_ > kReach)) return "cords of sectors that are not adjacent come near each other";
+  }
   if (!contact_->may_find_any(motion.cord_speed, motion.dt)) return std::nullopt;
   take_over(sector, lengths);
-  if (contact_->is_due(motion.cord_speed, motion.dt) && !far_sectors_are_clear(sector, lengths)) {
-    return "cords of sectors that are not adjacent come near each other";
-  }
   contact_->look_around(coordinates_, lengths_, motion.cord_speed, motion.dt, undivided_loop);
   contacted_.clear();
   contact_->find(coordinates_, velocities_, lengths_, motion.last_step, motion.dt, contacted_);

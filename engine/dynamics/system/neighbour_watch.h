@@ -22,7 +22,7 @@ class NeighbourWatch {
   NeighbourWatch(const Model& whole, const CableState& state, const CableElements& elements, const SectorModel& sector);
 
   // To be called when the sector has moved otherwise than by a step.
-  void forget() { contact_->forget_candidates(); }
+  void forget();
 
   struct Motion {
     double way;         // m, upper bound for any point of a cord since the last look
@@ -40,7 +40,7 @@ class NeighbourWatch {
   };
 
   void take_over(const CableState& sector, const std::vector<double>& lengths);
-  bool far_sectors_are_clear(const CableState& sector, const std::vector<double>& lengths) const;
+  double gap_of_far_sectors(const CableState& sector, const std::vector<double>& lengths) const;
 
   const SectorModel& sector_;
   SectorTurn turn_;
@@ -50,6 +50,7 @@ class NeighbourWatch {
   std::vector<Copy> copies_;
   std::vector<std::int32_t> element_of_sector_;  // by element of model_
   std::vector<double> lengths_;                  // m
+  double gap_ = 0, way_ = 0;                     // m: gap_of_far_sectors, and the way since it was found
   ContactedCoordinates contacted_;
   std::unique_ptr<CordContact> contact_;
 };

@@ -237,10 +237,8 @@ void SymmetricSector::control(std::int32_t body, const BodyControl& control) {
 void SymmetricSector::wind(std::int32_t rope, const RopeMotion& motion) {
   const std::int32_t first = rope - rope % sector_.sectors;
   winding_[static_cast<std::size_t>(rope)] = motion;
-  for (std::int32_t i = first; i < first + sector_.sectors; ++i) {
-    const auto& other = winding_[static_cast<std::size_t>(i)];
-    if (other && !(*other == motion)) return leave("ropes are wound apart");
-  }
+  const auto& of_first = winding_[static_cast<std::size_t>(first)];
+  if (of_first && !(*of_first == motion)) leave("ropes are wound apart");
 }
 
 // Whether all ropes of a place in the sectors are wound or none.

@@ -59,7 +59,7 @@ void SystemContacts::find(double cord_speed, double dt) {
 
 void SystemContacts::share_among(const TiedCoordinates& ties) {
   if (contacted_.is_empty()) return;
-  ties.for_each_group([this](std::span<const std::int32_t> copies) { contacted_.share_among(copies); });
+  for (const TiedCoordinates::Group& group : ties.groups()) contacted_.share_among(ties.copies(group));
 }
 
 void SystemContacts::add_body_forces(const StepTimes& times, std::vector<Wrench>& wrenches) {

@@ -28,11 +28,10 @@ const ForceKernels& force_kernels() {
   return chosen;
 }
 
-// Several threads divide the elements, and meanwhile one looks for contacts: then elements come first. So they do where
-// coordinates are tied, because most forces must be known before anything moves.
+// Several threads divide the elements, and meanwhile one looks for contacts: then elements come first.
 std::optional<PairedElements> paired(const CableElements& elements, const CableState& state,
-                                     const SystemThreads& threads, const TiedCoordinates* ties) {
-  if (elements.is_full() || threads.count() > 1 || ties != nullptr) return std::nullopt;
+                                     const SystemThreads& threads) {
+  if (elements.is_full() || threads.count() > 1) return std::nullopt;
   PairedElements pairs(elements.batch(), elements.batch_elements(), state.layout.size());
   return pairs.middle_count() > 0 ? std::optional(std::move(pairs)) : std::nullopt;
 }
@@ -50,7 +49,7 @@ SystemForces::SystemForces(const Model& model, CableElements& elements, const Ca
       travelled_(travelled),
       threads_(threads),
       ties_(ties),
-      pairs_(paired(elements, state, threads, ties)),
+      pairs_(paired(elements, state, threads)),
       assembly_(elements.batch_elements(), state.layout.size(), threads.count(),
                 pairs_ ? pairs_->is_middle() : std::span<const std::uint8_t>()),
       wrinkling_(model, elements.batch_elements(), elements.is_full()),
@@ -123,13 +122,17 @@ void SystemForces::compute(double dt, bool with_elements) {
     add_others();
   }
   const auto sum_forces = [this](auto blocks, double* rows) { sum(blocks, rows); };
-  if (ties_ != nullptr) {
+  const bool are_tied = ties_ != nullptr && contacts_.act_on_cords();
+  if (are_tied) {  // contacts must know what all copies of a node bear
     contacts_.share_among(*ties_);
-    ties_->share_forces(sum_forces, applied_);
+    sum(ties_->blocks(), ties_->force_rows());
+    ties_->share(applied_);
     ties_->begin_applied(applied_);
   }
   contacts_.add_cord_forces(times, sum_forces, applied_, wrenches_);
-  if (ties_ != nullptr && contacts_.with_bodies().has_contacts()) ties_->share_applied(applied_);
+  if (are_tied) ties_->share_applied(applied_);
+  are_ties_led_ = are_tied || ties_ == nullptr;
+  if (!are_waiting_) lead_ties();
   if (tide_) tide_->compute();
   for (std::size_t b = 0; b < wrenches_.size(); ++b) {
     add_attachments(b);
@@ -140,6 +143,14 @@ void SystemForces::compute(double dt, bool with_elements) {
   version_ = state_.version;
   step_ = dt;
   ++computations_;
+}
+
+// Leaders must know what their followers bear before they move, but not before.
+void SystemForces::lead_ties() {
+  if (are_ties_led_) return;
+  sum(ties_->blocks(), ties_->force_rows());
+  ties_->lead(applied_);
+  are_ties_led_ = true;
 }
 
 template <typename Meanwhile>
@@ -255,12 +266,14 @@ update_kernel::Fastest SystemForces::move(update_kernel::UpdateView motion, upda
     note(sums.fastest);
   }
   sum_powers();
+  are_waiting_ = false;
+  lead_ties();
+  motion.loaded = applied_.loaded();
   note(update(motion, 0, assembly_.block_count() - pairs_->middle_count(), kick, drift));
   unmoved_.clear();
   for (const std::int32_t block : pairs_->unmoved_middles()) unmoved_.push_back(assembly_.block(block));
   motion.blocks = unmoved_.data();
   note(update(motion, 0, static_cast<int>(unmoved_.size()), kick, drift));
-  are_waiting_ = false;
   return fastest;
 }
 

@@ -81,6 +81,7 @@ class SystemForces {
   void compute(double dt, bool with_elements);
   void collect_hinges();
   void sum_powers();
+  void lead_ties();
   template <typename Meanwhile>
   void add_elements(const Meanwhile& meanwhile);
   void add_hinges(double kick);
@@ -119,6 +120,7 @@ class SystemForces {
   double step_ = 0;                                        // s, step that forces are for
   std::int64_t computations_ = 0;
   bool are_waiting_ = false;
+  bool are_ties_led_ = true;  // whether leaders know what their followers bear
   std::vector<update_kernel::CoordinateBlock> unmoved_;  // middles of pairs that are moved one by one
 };
 
