@@ -25,6 +25,8 @@ TiedCoordinates::TiedCoordinates(const SectorModel& sector, const CoordinateLayo
   std::ranges::sort(blocks_);
   blocks_.erase(std::unique(blocks_.begin(), blocks_.end()), blocks_.end());
   rows_.resize(blocks_.size() * kRows);
+  before_.resize(places_.size());
+  own_.resize(places_.size());
   const auto row_of = [](std::int32_t coordinate, std::ptrdiff_t block) {
     return static_cast<std::size_t>(block) * kRows + static_cast<std::size_t>(coordinate % kBlockSize);
   };
@@ -82,32 +84,55 @@ void TiedCoordinates::lead(AppliedForces& applied) const {
   }
 }
 
-template <typename Force>
-void TiedCoordinates::share(AppliedForces& applied, const Force& force) const {
+void TiedCoordinates::share_own(AppliedForces& applied) const {
   for (const Group& group : groups_) {
-    const std::span<const Place> places(places_.data() + group.first, group.count);
-    Eigen::Vector3d total = force(places[0]);
-    for (const Place& place : places.subspan(1)) total += turned_back(place, force(place));
-    for (const Place& place : places) applied.add(place.coordinate, turned(place, total) - force(place));
+    const std::size_t last = group.first + group.count;
+    Eigen::Vector3d total = own_[group.first];
+    for (std::size_t i = group.first + 1; i < last; ++i) {
+      total += places_[i].is_turned ? turned_back(places_[i], own_[i]) : own_[i];
+    }
+    if (total.isZero(0)) continue;
+    for (std::size_t i = group.first; i < last; ++i) {
+      applied.add(places_[i].coordinate, (places_[i].is_turned ? turned(places_[i], total) : total) - own_[i]);
+    }
   }
 }
 
-void TiedCoordinates::share(AppliedForces& applied) const {
-  share(applied, [this](const Place& place) -> Eigen::Vector3d {
-    const double* x = rows_.data() + place.row;
-    return {x[0], x[kBlockSize], x[2 * kBlockSize]};
-  });
+void TiedCoordinates::share(AppliedForces& applied) {
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    const double* x = rows_.data() + places_[i].row;
+    own_[i] = {x[0], x[kBlockSize], x[2 * kBlockSize]};
+  }
+  share_own(applied);
 }
 
 void TiedCoordinates::begin_applied(const AppliedForces& applied) {
-  before_.clear();
-  for (const Place& place : places_) before_.push_back(applied.get(place.coordinate));
+  for (std::size_t i = 0; i < places_.size(); ++i) before_[i] = applied.get(places_[i].coordinate);
 }
 
 void TiedCoordinates::share_applied(AppliedForces& applied) {
-  std::vector<Eigen::Vector3d>& added = before_;
-  for (std::size_t i = 0; i < places_.size(); ++i) added[i] = applied.get(places_[i].coordinate) - added[i];
-  share(applied, [&](const Place& place) { return added[static_cast<std::size_t>(&place - places_.data())]; });
+  for (std::size_t i = 0; i < places_.size(); ++i) own_[i] = applied.get(places_[i].coordinate) - before_[i];
+  share_own(applied);
+}
+
+void TiedCoordinates::follow(std::vector<Eigen::Vector3d>& vectors) const {
+  for (const Group& group : groups_) {
+    const Eigen::Vector3d leader = vectors[static_cast<std::size_t>(coordinates_[group.first])];
+    for (std::size_t i = group.first + 1; i < group.first + group.count; ++i) {
+      vectors[static_cast<std::size_t>(coordinates_[i])] = turned(places_[i], leader);
+    }
+  }
+}
+
+void TiedCoordinates::lead(std::vector<Eigen::Vector3d>& vectors, std::vector<Eigen::Vector3d>& rest) const {
+  for (const Group& group : groups_) {
+    Eigen::Vector3d& leader = vectors[static_cast<std::size_t>(coordinates_[group.first])];
+    for (std::size_t i = group.first + 1; i < group.first + group.count; ++i) {
+      const auto follower = static_cast<std::size_t>(coordinates_[i]);
+      leader += turned_back(places_[i], vectors[follower]);
+      rest[follower].setZero();
+    }
+  }
 }
 
 void TiedCoordinates::follow(CoordinateVectors& vectors) const {

@@ -43,13 +43,17 @@ class TiedCoordinates {
   void lead(AppliedForces& applied) const;
   // Adds to the applied forces of all copies what the others bear by force_rows(), so that each moves rightly by
   // itself.
-  void share(AppliedForces& applied) const;
+  void share(AppliedForces& applied);
   // The same for forces that are added to `applied` between these two calls.
   void begin_applied(const AppliedForces& applied);
   void share_applied(AppliedForces& applied);
 
   // Moves followers as their leaders.
   void follow(CoordinateVectors& vectors) const;
+
+  // The same for one vector by coordinate. What followers hold is added to their leaders; `rest` is set to zero for them.
+  void follow(std::vector<Eigen::Vector3d>& vectors) const;
+  void lead(std::vector<Eigen::Vector3d>& vectors, std::vector<Eigen::Vector3d>& rest) const;
 
  private:
   static constexpr std::size_t kRows = kVectorRows * kBlockSize;
@@ -73,9 +77,8 @@ class TiedCoordinates {
   static Eigen::Vector3d turned_back(const Place& place, const Eigen::Vector3d& v) {
     return {place.cosine * v.x() + place.sine * v.z(), v.y(), place.cosine * v.z() - place.sine * v.x()};
   }
-  // `force`(place): the force on a copy that the others shall bear too.
-  template <typename Force>
-  void share(AppliedForces& applied, const Force& force) const;
+  // Adds to the applied force of each copy what the others have in own_.
+  void share_own(AppliedForces& applied) const;
 
   int sectors_;
   std::vector<Place> places_;              // leaders before their followers
@@ -84,7 +87,7 @@ class TiedCoordinates {
   std::vector<Follower> followers_;
   std::vector<std::int32_t> blocks_;
   AlignedVector<double> rows_;
-  std::vector<Eigen::Vector3d> before_;  // by place
+  std::vector<Eigen::Vector3d> before_, own_;  // by place
 };
 
 }  // namespace netpocket

@@ -85,10 +85,6 @@ CableSystem::Impl::Impl(Model&& source, const SystemOptions& options, const Orig
 CableSystem::Impl::~Impl() = default;
 
 CableSystem::Impl& CableSystem::Impl::running() { return sector && sector->is_active() ? sector->part() : *this; }
-CableSystem::Impl& CableSystem::Impl::up_to_date() {
-  if (sector) sector->unfold();
-  return *this;
-}
 void CableSystem::Impl::leave_symmetry(const std::string& reason) {
   if (sector) sector->leave(reason);
 }
@@ -276,14 +272,15 @@ void CableSystem::step(double dt) {
 }
 
 StableStep CableSystem::stable_step() {
-  Impl& s = impl_->up_to_date();
+  Impl& s = impl_->running();
   s.elements.update_ropes();  // until now they have the length of the last step's start
   const std::vector<BatchElement> now = s.elements.batch_elements();
   if (s.elements.is_full()) {
     return with_lines(s.model, s.state.layout, s.elements.inverse_mass(),
                       find_stable_step_of_full_elements(s.model, now, s.state.coordinates));
   }
-  return find_stable_step(s.model, s.state.layout, now, s.elements.inverse_mass(), s.state.coordinates);
+  return find_stable_step(s.model, s.state.layout, now, s.elements.inverse_mass(), s.state.coordinates,
+                          s.ties ? &*s.ties : nullptr);
 }
 
 double CableSystem::stable_step_as_bent(const StableStep& straight) {

@@ -51,8 +51,6 @@ struct CableSystem::Impl {
   EnergyAudit capture(Snapshot& snapshot);
   // What steps at present: this system, or the sector that stands for it.
   Impl& running();
-  // This system in the present state.
-  Impl& up_to_date();
   // Goes on with the whole system, if a sector has stood for it.
   void leave_symmetry(const std::string& reason);
   // Index into Model::ring_ropes of what a run numbers as `rope`; nothing if it is one of Model::ropes.
