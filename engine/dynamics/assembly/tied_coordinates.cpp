@@ -9,7 +9,7 @@ TiedCoordinates::TiedCoordinates(const SectorModel& sector, const CoordinateLayo
   const SectorTurn turn(sector.sectors);
   const auto add = [&](std::int32_t node, int turns) {
     const std::int32_t coordinate = layout.position(node);
-    places_.push_back({coordinate, turns != 0, 0, turn.cosine(turns), turn.sine(turns)});
+    places_.push_back({coordinate, turns != 0, 0, 0, turn.cosine(turns), turn.sine(turns)});
     coordinates_.push_back(coordinate);
     blocks_.push_back(coordinate / kBlockSize);
   };
@@ -27,11 +27,13 @@ TiedCoordinates::TiedCoordinates(const SectorModel& sector, const CoordinateLayo
   rows_.resize(blocks_.size() * kRows);
   before_.resize(places_.size());
   own_.resize(places_.size());
+  others_ = groups_;
   const auto row_of = [](std::int32_t coordinate, std::ptrdiff_t block) {
     return static_cast<std::size_t>(block) * kRows + static_cast<std::size_t>(coordinate % kBlockSize);
   };
   for (Place& place : places_) {
     const auto block = std::ranges::lower_bound(blocks_, place.coordinate / kBlockSize) - blocks_.begin();
+    place.block = static_cast<std::int32_t>(block);
     place.row = row_of(place.coordinate, block);
   }
   for (const Group& group : groups_) {
@@ -66,52 +68,57 @@ void TiedCoordinates::share_masses(std::span<const Group> groups, std::span<cons
   }
 }
 
-void TiedCoordinates::lead(AppliedForces& applied) const {
-  for (const Group& group : groups_) applied.touch(coordinates_[group.first]);
-  double* forces = applied.data();
-  for (const Follower& follower : followers_) {
-    const double* force = rows_.data() + follower.row;
-    double* leader = forces + follower.leader;
-    double x = force[0], z = force[2 * kBlockSize];
-    if (follower.is_turned) {
-      const double turned_x = follower.cosine * x + follower.sine * z;
-      z = follower.cosine * z - follower.sine * x;
-      x = turned_x;
+void TiedCoordinates::lead_others(AppliedForces& applied) const {
+  for (const Group& group : others_) {
+    double x = 0, y = 0, z = 0;
+    for (std::size_t i = group.first + 1; i < group.first + group.count; ++i) {
+      const Place& place = places_[i];
+      const double* force = rows_.data() + place.row;
+      x += place.is_turned ? place.cosine * force[0] + place.sine * force[2 * kBlockSize] : force[0];
+      y += force[kBlockSize];
+      z += place.is_turned ? place.cosine * force[2 * kBlockSize] - place.sine * force[0] : force[2 * kBlockSize];
     }
-    leader[0] += x;
-    leader[kBlockSize] += force[kBlockSize];
-    leader[2 * kBlockSize] += z;
+    applied.add(places_[group.first].coordinate, {x, y, z});
+  }
+}
+
+// Rows of blocks stand one after the other, as some_blocks_.
+void TiedCoordinates::take_own() {
+  for (const Group& group : chosen_) {
+    for (std::size_t i = group.first; i < group.first + group.count; ++i) {
+      const auto at = std::ranges::lower_bound(some_blocks_, places_[i].block) - some_blocks_.begin();
+      const double* x = rows_.data() + static_cast<std::size_t>(at) * kRows +
+                        static_cast<std::size_t>(places_[i].coordinate % kBlockSize);
+      own_[i] = {x[0], x[kBlockSize], x[2 * kBlockSize]};
+    }
   }
 }
 
 void TiedCoordinates::share_own(AppliedForces& applied) const {
-  for (const Group& group : groups_) {
+  for (const Group& group : chosen_) {
     const std::size_t last = group.first + group.count;
     Eigen::Vector3d total = own_[group.first];
-    for (std::size_t i = group.first + 1; i < last; ++i) {
-      total += places_[i].is_turned ? turned_back(places_[i], own_[i]) : own_[i];
-    }
-    if (total.isZero(0)) continue;
+    for (std::size_t i = group.first + 1; i < last; ++i) total += turned_back(places_[i], own_[i]);
     for (std::size_t i = group.first; i < last; ++i) {
-      applied.add(places_[i].coordinate, (places_[i].is_turned ? turned(places_[i], total) : total) - own_[i]);
+      applied.add(places_[i].coordinate, turned(places_[i], total) - own_[i]);
     }
   }
-}
-
-void TiedCoordinates::share(AppliedForces& applied) {
-  for (std::size_t i = 0; i < places_.size(); ++i) {
-    const double* x = rows_.data() + places_[i].row;
-    own_[i] = {x[0], x[kBlockSize], x[2 * kBlockSize]};
-  }
-  share_own(applied);
 }
 
 void TiedCoordinates::begin_applied(const AppliedForces& applied) {
-  for (std::size_t i = 0; i < places_.size(); ++i) before_[i] = applied.get(places_[i].coordinate);
+  for (const Group& group : chosen_) {
+    for (std::size_t i = group.first; i < group.first + group.count; ++i) {
+      before_[i] = applied.get(places_[i].coordinate);
+    }
+  }
 }
 
 void TiedCoordinates::share_applied(AppliedForces& applied) {
-  for (std::size_t i = 0; i < places_.size(); ++i) own_[i] = applied.get(places_[i].coordinate) - before_[i];
+  for (const Group& group : chosen_) {
+    for (std::size_t i = group.first; i < group.first + group.count; ++i) {
+      own_[i] = applied.get(places_[i].coordinate) - before_[i];
+    }
+  }
   share_own(applied);
 }
 

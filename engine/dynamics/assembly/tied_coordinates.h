@@ -3,6 +3,7 @@
 // as its leader, turned about the y axis by a number of sectors. They share their mass, and a force on a follower acts
 // on the leader, turned back.
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -36,17 +37,30 @@ class TiedCoordinates {
   void share_masses(std::span<const Group> groups, std::span<const double> mass, std::span<double> inverse_mass,
                     std::span<double> moving_mass) const;
 
-  // Blocks of coordinates that hold copies, ascending, and the rows of forces on them: all forces so far.
-  std::span<const std::int32_t> blocks() const { return blocks_; }
-  double* force_rows() { return rows_.data(); }
-  // Adds to the applied forces of leaders what their followers bear by force_rows().
-  void lead(AppliedForces& applied) const;
-  // Adds to the applied forces of all copies what the others bear by force_rows(), so that each moves rightly by
-  // itself.
-  void share(AppliedForces& applied);
+  // Begins a step. The copies of chosen groups shall move rightly by themselves, because something depends on how they
+  // will. Of all others only the leader. `is_chosen`(coordinates of a group).
+  template <typename IsChosen>
+  void choose(const IsChosen& is_chosen) {
+    chosen_.clear();
+    others_.clear();
+    for (const Group& group : groups_) (is_chosen(copies(group)) ? chosen_ : others_).push_back(group);
+  }
+  // Adds to the applied forces of the chosen copies what the others of their group bear. `sum_forces`(blocks, rows): all
+  // forces so far on blocks of coordinates.
+  template <typename SumForces>
+  void share(const SumForces& sum_forces, AppliedForces& applied) {
+    collect(chosen_, sum_forces);
+    share_own(applied);
+  }
   // The same for forces that are added to `applied` between these two calls.
   void begin_applied(const AppliedForces& applied);
   void share_applied(AppliedForces& applied);
+  // Adds to the applied forces of all other leaders what their followers bear.
+  template <typename SumForces>
+  void lead(const SumForces& sum_forces, AppliedForces& applied) {
+    sum_forces(std::span<const std::int32_t>(blocks_), rows_.data());
+    lead_others(applied);
+  }
 
   // Moves followers as their leaders.
   void follow(CoordinateVectors& vectors) const;
@@ -61,6 +75,7 @@ class TiedCoordinates {
   struct Place {
     std::int32_t coordinate;
     bool is_turned;       // from the leader
+    std::int32_t block;   // index into blocks_
     std::size_t row;      // of its x in rows_
     double cosine, sine;  // of the turn
   };
@@ -77,16 +92,35 @@ class TiedCoordinates {
   static Eigen::Vector3d turned_back(const Place& place, const Eigen::Vector3d& v) {
     return {place.cosine * v.x() + place.sine * v.z(), v.y(), place.cosine * v.z() - place.sine * v.x()};
   }
-  // Adds to the applied force of each copy what the others have in own_.
+  // Stores the forces on the copies of these groups in own_.
+  template <typename SumForces>
+  void collect(std::span<const Group> groups, const SumForces& sum_forces) {
+    some_blocks_.clear();
+    for (const Group& group : groups) {
+      for (std::size_t i = group.first; i < group.first + group.count; ++i) some_blocks_.push_back(places_[i].block);
+    }
+    std::ranges::sort(some_blocks_);
+    some_blocks_.erase(std::unique(some_blocks_.begin(), some_blocks_.end()), some_blocks_.end());
+    wanted_.clear();
+    for (const std::int32_t block : some_blocks_) wanted_.push_back(blocks_[static_cast<std::size_t>(block)]);
+    sum_forces(std::span<const std::int32_t>(wanted_), rows_.data());
+    take_own();
+  }
+  void take_own();
+  // Adds to the applied force of each chosen copy what the others have in own_.
   void share_own(AppliedForces& applied) const;
+  void lead_others(AppliedForces& applied) const;
 
   int sectors_;
   std::vector<Place> places_;              // leaders before their followers
   std::vector<std::int32_t> coordinates_;  // of places_
   std::vector<Group> groups_;
   std::vector<Follower> followers_;
-  std::vector<std::int32_t> blocks_;
-  AlignedVector<double> rows_;
+  std::vector<Group> chosen_, others_;
+  std::vector<std::int32_t> blocks_;       // of coordinates that hold copies, ascending
+  std::vector<std::int32_t> some_blocks_;  // indices into blocks_
+  std::vector<std::int32_t> wanted_;
+  AlignedVector<double> rows_;  // forces on blocks
   std::vector<Eigen::Vector3d> before_, own_;  // by place
 };
 

@@ -46,16 +46,18 @@ class ContactedCoordinates {
     return place_[static_cast<std::uint32_t>(coordinate) / kBlockSize] >= 0;
   }
   // Coordinates that are copies of one node: they share all contacts of the copies. To be called after all share().
-  void share_among(std::span<const std::int32_t> copies) {
+  // Returns whether there are any.
+  bool share_among(std::span<const std::int32_t> copies) {
     double total = 0;
     for (const std::int32_t copy : copies) {
       if (holds(copy)) total += shared_weight_[place(copy, kBlockSize)];
     }
-    if (total == 0) return;
+    if (total == 0) return false;
     for (const std::int32_t copy : copies) {
       place_for(copy);
       shared_weight_[place(copy, kBlockSize)] = total;
     }
+    return true;
   }
   // Records that a contact acts on `coordinate` with this weight. Returns the index of its block in the rows below.
   std::int32_t share(std::int32_t coordinate, double weight) {

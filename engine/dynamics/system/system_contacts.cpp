@@ -57,9 +57,8 @@ void SystemContacts::find(double cord_speed, double dt) {
     of_cords_->find(state_.coordinates, state_.velocities, elements_.lengths(), state_.last_step, dt, contacted_);
 }
 
-void SystemContacts::share_among(const TiedCoordinates& ties) {
-  if (contacted_.is_empty()) return;
-  for (const TiedCoordinates::Group& group : ties.groups()) contacted_.share_among(ties.copies(group));
+void SystemContacts::share_among(TiedCoordinates& ties) {
+  ties.choose([this](std::span<const std::int32_t> copies) { return contacted_.share_among(copies); });
 }
 
 void SystemContacts::add_body_forces(const StepTimes& times, std::vector<Wrench>& wrenches) {

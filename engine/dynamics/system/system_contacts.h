@@ -54,8 +54,7 @@ class SystemContacts {
     }
   }
   // In a model that is one sector: copies of a node share the contacts on all of them. To be called after find().
-  void share_among(const TiedCoordinates& ties);
-  bool act_on_cords() const { return !contacted_.is_empty(); }
+  void share_among(TiedCoordinates& ties);
   // Upper bound (m) of the way of any point of a cord, by which look_around() has been told that they have moved.
   double last_way() const { return last_way_; }
   // Forces between bodies. `wrenches` must hold all other forces, whose motion these depend on.

@@ -122,17 +122,16 @@ void SystemForces::compute(double dt, bool with_elements) {
     add_others();
   }
   const auto sum_forces = [this](auto blocks, double* rows) { sum(blocks, rows); };
-  const bool are_tied = ties_ != nullptr && contacts_.act_on_cords();
-  if (are_tied) {  // contacts must know what all copies of a node bear
+  if (ties_ != nullptr) {
     contacts_.share_among(*ties_);
-    sum(ties_->blocks(), ties_->force_rows());
-    ties_->share(applied_);
+    ties_->share(sum_forces, applied_);
     ties_->begin_applied(applied_);
   }
   contacts_.add_cord_forces(times, sum_forces, applied_, wrenches_);
-  if (are_tied) ties_->share_applied(applied_);
-  are_ties_led_ = are_tied || ties_ == nullptr;
-  if (!are_waiting_) lead_ties();
+  if (ties_ != nullptr) {
+    ties_->share_applied(applied_);
+    if (!are_waiting_) lead_ties();
+  }
   if (tide_) tide_->compute();
   for (std::size_t b = 0; b < wrenches_.size(); ++b) {
     add_attachments(b);
@@ -145,12 +144,9 @@ void SystemForces::compute(double dt, bool with_elements) {
   ++computations_;
 }
 
-// Leaders must know what their followers bear before they move, but not before.
+// Leaders must know what their followers bear before they move, but not before that.
 void SystemForces::lead_ties() {
-  if (are_ties_led_) return;
-  sum(ties_->blocks(), ties_->force_rows());
-  ties_->lead(applied_);
-  are_ties_led_ = true;
+  ties_->lead([this](auto blocks, double* rows) { sum(blocks, rows); }, applied_);
 }
 
 template <typename Meanwhile>
@@ -267,7 +263,7 @@ update_kernel::Fastest SystemForces::move(update_kernel::UpdateView motion, upda
   }
   sum_powers();
   are_waiting_ = false;
-  lead_ties();
+  if (ties_ != nullptr) lead_ties();
   motion.loaded = applied_.loaded();
   note(update(motion, 0, assembly_.block_count() - pairs_->middle_count(), kick, drift));
   unmoved_.clear();

@@ -120,7 +120,6 @@ class SystemForces {
   double step_ = 0;                                        // s, step that forces are for
   std::int64_t computations_ = 0;
   bool are_waiting_ = false;
-  bool are_ties_led_ = true;  // whether leaders know what their followers bear
   std::vector<update_kernel::CoordinateBlock> unmoved_;  // middles of pairs that are moved one by one
 };
 
