@@ -196,23 +196,36 @@ std::vector<Chain> chains_of_first_sector(const Model& whole, int sectors) {
   return chains;
 }
 
-// A place of a lane between two of its slots, and the slot behind it. Slots hold knots.
+// A lane has places in a row, each of them between two slots for knots. Between two chains one place is idle.
 using Lane = std::vector<const Chain*>;
 int places_of(const Lane& lane) {
   int places = -1;
   for (const Chain* chain : lane) places += chain->units() + 1;
-  return std::max(places, 0);
+  return places;
 }
 
-// Lays the chains side by side in eight lanes, the longest first, each into the emptiest lane.
-std::vector<Lane> lanes_of(std::vector<const Chain*> chains) {
+// Lays the chains side by side in eight lanes of so many places, the longest first, each into the fullest lane that has
+// room. Nothing if a chain finds none.
+std::optional<std::vector<Lane>> lanes_of(const std::vector<const Chain*>& chains, int places) {
   std::vector<Lane> lanes(kBlockSize);
-  std::ranges::stable_sort(chains, [](const Chain* a, const Chain* b) { return a->units() > b->units(); });
   for (const Chain* chain : chains) {
-    auto emptiest = std::ranges::min_element(lanes, {}, places_of);
-    emptiest->push_back(chain);
+    Lane* fullest = nullptr;
+    for (Lane& lane : lanes) {
+      if (places_of(lane) + 1 + chain->units() > places) continue;
+      if (fullest == nullptr || places_of(lane) > places_of(*fullest)) fullest = &lane;
+    }
+    if (fullest == nullptr) return std::nullopt;
+    fullest->push_back(chain);
   }
   return lanes;
+}
+
+// In as few places as this finds.
+std::vector<Lane> lanes_of(std::vector<const Chain*> chains) {
+  std::ranges::stable_sort(chains, [](const Chain* a, const Chain* b) { return a->units() > b->units(); });
+  for (int places = chains.front()->units();; ++places) {
+    if (auto lanes = lanes_of(chains, places)) return std::move(*lanes);
+  }
 }
 
 class SectorBuild {

@@ -142,15 +142,18 @@ void TiedCoordinates::lead(std::vector<Eigen::Vector3d>& vectors, std::vector<Ei
   }
 }
 
-void TiedCoordinates::follow(CoordinateVectors& vectors) const {
-  double* rows = vectors.data();
-  for (const Follower& follower : followers_) {
+void TiedCoordinates::follow(CoordinateVectors& positions, CoordinateVectors& velocities) const {
+  const auto move = [](const Follower& follower, double* rows) {
     const double* leader = rows + follower.leader;
     double* place = rows + follower.place;
     const double x = leader[0], z = leader[2 * kBlockSize];
     place[kBlockSize] = leader[kBlockSize];
     place[0] = follower.is_turned ? follower.cosine * x - follower.sine * z : x;
     place[2 * kBlockSize] = follower.is_turned ? follower.sine * x + follower.cosine * z : z;
+  };
+  for (const Follower& follower : followers_) {
+    move(follower, positions.data());
+    move(follower, velocities.data());
   }
 }
 

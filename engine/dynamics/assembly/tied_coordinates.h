@@ -45,10 +45,16 @@ class TiedCoordinates {
     others_.clear();
     for (const Group& group : groups_) (is_chosen(copies(group)) ? chosen_ : others_).push_back(group);
   }
+  void choose_none() {
+    if (chosen_.empty()) return;
+    chosen_.clear();
+    others_ = groups_;
+  }
   // Adds to the applied forces of the chosen copies what the others of their group bear. `sum_forces`(blocks, rows): all
   // forces so far on blocks of coordinates.
   template <typename SumForces>
   void share(const SumForces& sum_forces, AppliedForces& applied) {
+    if (chosen_.empty()) return;
     collect(chosen_, sum_forces);
     share_own(applied);
   }
@@ -63,7 +69,8 @@ class TiedCoordinates {
   }
 
   // Moves followers as their leaders.
-  void follow(CoordinateVectors& vectors) const;
+  void follow(CoordinateVectors& positions, CoordinateVectors& velocities) const;
+  void follow(CoordinateVectors& vectors) const { follow(vectors, vectors); }
 
   // The same for one vector by coordinate. What followers hold is added to their leaders; `rest` is set to zero for them.
   void follow(std::vector<Eigen::Vector3d>& vectors) const;

@@ -42,10 +42,7 @@ std::optional<update_kernel::Fastest> Leapfrog::move(CoordinateVectors& v, Coord
   if (const TidalField* tide = forces_.tide()) tide->kick(v, kick);
   if (!consistent_mass_) {
     const auto fastest = kick_and_drift(v, x, elements_.inverse_mass(), kick, drift);
-    if (ties_ != nullptr) {
-      ties_->follow(v);
-      if (drift != 0) ties_->follow(x);
-    }
+    if (ties_ != nullptr) ties_->follow(x, v);
     return fastest;
   }
   collected_.set_zero();

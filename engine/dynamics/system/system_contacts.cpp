@@ -58,6 +58,7 @@ void SystemContacts::find(double cord_speed, double dt) {
 }
 
 void SystemContacts::share_among(TiedCoordinates& ties) {
+  if (contacted_.is_empty()) return ties.choose_none();
   ties.choose([this](std::span<const std::int32_t> copies) { return contacted_.share_among(copies); });
 }
 
