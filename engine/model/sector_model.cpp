@@ -228,6 +228,23 @@ std::vector<Lane> lanes_of(std::vector<const Chain*> chains) {
   }
 }
 
+// Cuts few chains so that each lane holds one piece and all lanes are about as long. Many chains stay whole.
+std::vector<Chain> cut_to_lanes(const std::vector<Chain>& chains) {
+  if (chains.size() > static_cast<std::size_t>(kBlockSize)) return chains;
+  std::vector<Chain> pieces;
+  for (std::size_t longest = 1; pieces.empty() || pieces.size() > static_cast<std::size_t>(kBlockSize); ++longest) {
+    pieces.clear();
+    for (const Chain& chain : chains) {
+      for (std::size_t i = 0; i < chain.elements.size(); i += longest) {
+        const auto first = chain.elements.begin() + static_cast<std::ptrdiff_t>(i);
+        const std::size_t count = std::min(longest, chain.elements.size() - i);
+        pieces.push_back({{first, first + static_cast<std::ptrdiff_t>(count)}, false});
+      }
+    }
+  }
+  return pieces;
+}
+
 class SectorBuild {
  public:
   SectorBuild(const Model& whole, int sectors) : whole_(whole), sectors_(sectors) {}
@@ -236,11 +253,13 @@ class SectorBuild {
     begin();
     const std::vector<Chain> chains = chains_of_first_sector(whole_, sectors_);
     for (const bool paired : {true, false}) {
-      std::vector<const Chain*> alike;
-      for (const Chain& chain : chains) {
-        if (chain.paired == paired) alike.push_back(&chain);
-      }
-      if (!alike.empty()) lay(lanes_of(alike), paired);
+      std::vector<Chain> alike;
+      std::ranges::copy_if(chains, std::back_inserter(alike), [&](const Chain& c) { return c.paired == paired; });
+      if (alike.empty()) continue;
+      if (!paired) alike = cut_to_lanes(alike);
+      std::vector<const Chain*> pieces;
+      for (const Chain& chain : alike) pieces.push_back(&chain);
+      lay(lanes_of(pieces), paired);
     }
     add_strain_partners();
     add_joints();
@@ -401,6 +420,16 @@ class SectorBuild {
       }
     }
     std::ranges::stable_sort(result_.ties, {}, &SectorModel::Tie::leader);
+    std::map<std::int32_t, std::int32_t> first;  // copy of a gradient of the whole
+    for (std::size_t i = 0; i < result_.gradient_of.size(); ++i) {
+      if (result_.gradient_of[i] < 0) continue;
+      const auto copy = static_cast<std::int32_t>(i);
+      const auto [leader, is_new] = first.try_emplace(result_.gradient_of[i], copy);
+      if (is_new) continue;
+      result_.gradient_ties.push_back({leader->second, copy, 0});
+      result_.model.gradients[i].copy_of = leader->second;
+    }
+    std::ranges::stable_sort(result_.gradient_ties, {}, &SectorModel::Tie::leader);
   }
 
   const Model& whole_;

@@ -7,7 +7,8 @@
 // Lanes. Kernels compute eight elements at once where these read eight coordinates each that stand side by side. One
 // sector has no eight equal parts. Its cords are therefore laid side by side, eight at a time, each with its own copy
 // of the knots on it; a lane holds one cord after the other. Copies of a knot are tied: they move as one node. Between
-// two cords of a lane and behind the last one stand idle elements without stiffness, mass and contact.
+// two cords of a lane and behind the last one stand idle elements without stiffness, mass and contact. A few cords whose
+// elements have no strain partners (rods) are cut to fill the lanes; at a cut the gradient has a copy too.
 //
 // Turned nodes. A cord may end at a node of another sector. That is a copy of the sector's own node, tied to it by a
 // turn.
@@ -49,14 +50,14 @@ std::optional<std::string> find_asymmetry(const Model& whole, int sectors);
 
 struct SectorModel {
   struct Tie {
-    std::int32_t leader, follower;  // nodes of `model`
+    std::int32_t leader, follower;  // nodes of `model`, or gradients
     int turns;                      // that take the leader to the follower
   };
 
   Model model;
   int sectors = 1;
   std::vector<std::int32_t> node_of, gradient_of, element_of;  // by index in `model`: that in the whole; -1: idle
-  std::vector<Tie> ties;                                       // sorted by leader
+  std::vector<Tie> ties, gradient_ties;                        // of nodes and of gradients, sorted by leader
   std::int32_t idle_material = -1;
 };
 

@@ -7,21 +7,24 @@ namespace netpocket {
 TiedCoordinates::TiedCoordinates(const SectorModel& sector, const CoordinateLayout& layout)
     : sectors_(sector.sectors) {
   const SectorTurn turn(sector.sectors);
-  const auto add = [&](std::int32_t node, int turns) {
-    const std::int32_t coordinate = layout.position(node);
+  const auto add = [&](std::int32_t coordinate, int turns) {
     places_.push_back({coordinate, turns != 0, 0, 0, turn.cosine(turns), turn.sine(turns)});
     coordinates_.push_back(coordinate);
     blocks_.push_back(coordinate / kBlockSize);
   };
-  for (std::size_t i = 0; i < sector.ties.size(); ++i) {
-    const SectorModel::Tie& tie = sector.ties[i];
-    if (i == 0 || sector.ties[i - 1].leader != tie.leader) {
-      groups_.push_back({places_.size(), 1});
-      add(tie.leader, 0);
+  const auto add_ties = [&](const std::vector<SectorModel::Tie>& ties, std::int32_t first) {
+    for (std::size_t i = 0; i < ties.size(); ++i) {
+      const SectorModel::Tie& tie = ties[i];
+      if (i == 0 || ties[i - 1].leader != tie.leader) {
+        groups_.push_back({places_.size(), 1});
+        add(first + tie.leader, 0);
+      }
+      ++groups_.back().count;
+      add(first + tie.follower, tie.turns);
     }
-    ++groups_.back().count;
-    add(tie.follower, tie.turns);
-  }
+  };
+  add_ties(sector.ties, layout.position(0));
+  add_ties(sector.gradient_ties, layout.gradient(0));
   std::ranges::sort(blocks_);
   blocks_.erase(std::unique(blocks_.begin(), blocks_.end()), blocks_.end());
   rows_.resize(blocks_.size() * kRows);
