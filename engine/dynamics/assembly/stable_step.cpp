@@ -123,8 +123,7 @@ double stable_step_of_mode(double stiffness, double damping) {
 }
 
 StableStep find_stable_step(const Model& model, const CoordinateLayout& layout, std::span<const BatchElement> elements,
-                            std::span<const double> inverse_mass, const CoordinateVectors& coordinates,
-                            const TiedCoordinates* ties) {
+                            std::span<const double> inverse_mass, const CoordinateVectors& coordinates) {
   constexpr int kIterations = 120, kLeastIterations = 30;
   constexpr double kSettled = 2e-5;  // relative change of the step in one iteration
   constexpr double kMargin = 1.02;  // safety: the Rayleigh quotient approaches the highest squared frequency from below
@@ -138,7 +137,6 @@ StableStep find_stable_step(const Model& model, const CoordinateLayout& layout, 
       if (inverse_mass[i] == 0) x[i].setZero();
       product[i].setZero();
     }
-    if (ties != nullptr) ties->follow(x);
     double kinetic = 0, potential = 0, dissipation = 0, largest = -1;
     const auto consider = [&](double energy, StepLimit limit, std::int32_t thread) {
       if (energy <= largest) return;
@@ -177,10 +175,9 @@ StableStep find_stable_step(const Model& model, const CoordinateLayout& layout, 
       consider(line.stiffness * stretch * stretch, StepLimit::line, 0);
     }
     dissipation += damping.axial + damping.bending;
-    if (ties != nullptr) ties->lead(product, x);
     double norm = 0;
     for (std::size_t i = 0; i < x.size(); ++i) {
-      if (inverse_mass[i] == 0 || (ties != nullptr && x[i].isZero(0))) continue;
+      if (inverse_mass[i] == 0) continue;
       kinetic += x[i].squaredNorm() / inverse_mass[i];
       x[i] = product[i] * inverse_mass[i];
       norm = std::max(norm, x[i].cwiseAbs().maxCoeff());

@@ -14,7 +14,6 @@
 
 #include "engine/ancf/element_batch.h"
 #include "engine/dynamics/assembly/coordinate_vectors.h"
-#include "engine/dynamics/assembly/tied_coordinates.h"
 #include "engine/model/model.h"
 
 namespace netpocket {
@@ -38,11 +37,9 @@ double stable_step_of_mode(double stiffness, double damping);
 
 // Stable step of mean-strain elements with lumped mass. `elements`: at their present lengths. `inverse_mass`: by
 // coordinate, 0 where a coordinate is not free. The step is infinite if nothing moves.
-// Bodies are taken as standing. `ties`: of a model that is one sector, for modes in which all sectors move alike; null:
-// none.
+// Bodies are taken as standing.
 StableStep find_stable_step(const Model& model, const CoordinateLayout& layout, std::span<const BatchElement> elements,
-                            std::span<const double> inverse_mass, const CoordinateVectors& coordinates,
-                            const TiedCoordinates* ties = nullptr);
+                            std::span<const double> inverse_mass, const CoordinateVectors& coordinates);
 
 // A step (s) that is stable with a model's tension lines as well, whatever their directions: the squared frequencies of
 // two stiffnesses add up at most, and those of lines are at most twice the largest sum k/m of a node (Gershgorin).

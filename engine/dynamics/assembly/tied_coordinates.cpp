@@ -125,26 +125,6 @@ void TiedCoordinates::share_applied(AppliedForces& applied) {
   share_own(applied);
 }
 
-void TiedCoordinates::follow(std::vector<Eigen::Vector3d>& vectors) const {
-  for (const Group& group : groups_) {
-    const Eigen::Vector3d leader = vectors[static_cast<std::size_t>(coordinates_[group.first])];
-    for (std::size_t i = group.first + 1; i < group.first + group.count; ++i) {
-      vectors[static_cast<std::size_t>(coordinates_[i])] = turned(places_[i], leader);
-    }
-  }
-}
-
-void TiedCoordinates::lead(std::vector<Eigen::Vector3d>& vectors, std::vector<Eigen::Vector3d>& rest) const {
-  for (const Group& group : groups_) {
-    Eigen::Vector3d& leader = vectors[static_cast<std::size_t>(coordinates_[group.first])];
-    for (std::size_t i = group.first + 1; i < group.first + group.count; ++i) {
-      const auto follower = static_cast<std::size_t>(coordinates_[i]);
-      leader += turned_back(places_[i], vectors[follower]);
-      rest[follower].setZero();
-    }
-  }
-}
-
 void TiedCoordinates::follow(CoordinateVectors& positions, CoordinateVectors& velocities) const {
   const auto move = [](const Follower& follower, double* rows) {
     const double* leader = rows + follower.leader;

@@ -72,10 +72,6 @@ class TiedCoordinates {
   void follow(CoordinateVectors& positions, CoordinateVectors& velocities) const;
   void follow(CoordinateVectors& vectors) const { follow(vectors, vectors); }
 
-  // The same for one vector by coordinate. What followers hold is added to their leaders; `rest` is set to zero for them.
-  void follow(std::vector<Eigen::Vector3d>& vectors) const;
-  void lead(std::vector<Eigen::Vector3d>& vectors, std::vector<Eigen::Vector3d>& rest) const;
-
  private:
   static constexpr std::size_t kRows = kVectorRows * kBlockSize;
 

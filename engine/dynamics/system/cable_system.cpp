@@ -272,15 +272,16 @@ void CableSystem::step(double dt) {
 }
 
 StableStep CableSystem::stable_step() {
-  Impl& s = impl_->running();
+  // Of the whole also while a sector stands for it, so that both runs choose the same steps.
+  if (impl_->sector) impl_->sector->unfold();
+  Impl& s = *impl_;
   s.elements.update_ropes();  // until now they have the length of the last step's start
   const std::vector<BatchElement> now = s.elements.batch_elements();
   if (s.elements.is_full()) {
     return with_lines(s.model, s.state.layout, s.elements.inverse_mass(),
                       find_stable_step_of_full_elements(s.model, now, s.state.coordinates));
   }
-  return find_stable_step(s.model, s.state.layout, now, s.elements.inverse_mass(), s.state.coordinates,
-                          s.ties ? &*s.ties : nullptr);
+  return find_stable_step(s.model, s.state.layout, now, s.elements.inverse_mass(), s.state.coordinates);
 }
 
 double CableSystem::stable_step_as_bent(const StableStep& straight) {

@@ -1,6 +1,7 @@
 #include "engine/dynamics/system/neighbour_watch.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -23,18 +24,20 @@ std::map<std::int32_t, std::int32_t> first_copies(const std::vector<std::int32_t
   return copies;
 }
 
-// How far (m) a cord may be off its chord: 3/4 of the longer distance of the middle control points of its Bezier form
-// from the points of the chord at 1/3 and 2/3.
-double farthest_from_chord(const Eigen::Vector3d& chord, const Eigen::Vector3d& gradient1,
-                           const Eigen::Vector3d& gradient2, double length) {
-  const Eigen::Vector3d one = (length * gradient1 - chord) / 3, other = (chord - length * gradient2) / 3;
-  return 0.75 * std::sqrt(std::max(one.squaredNorm(), other.squaredNorm()));
+// A cord's cubic lies within the hull of its Bezier points, here seen along the y axis.
+std::array<Eigen::Vector2d, 4> hull_of(const CableState& state, const ModelElement& element, double length) {
+  const auto seen = [](const Eigen::Vector3d& v) { return Eigen::Vector2d(v.x(), v.z()); };
+  const CoordinateLayout& layout = state.layout;
+  const Eigen::Vector2d start = seen(state.coordinates.get(layout.position(element.node1))),
+                        end = seen(state.coordinates.get(layout.position(element.node2)));
+  const double third = length / 3;
+  return {start, start + third * seen(state.coordinates.get(layout.gradient(element.gradient1))),
+          end - third * seen(state.coordinates.get(layout.gradient(element.gradient2))), end};
 }
 
-// m, of the nearest point of a straight line between two points from the y axis.
-double distance_from_axis(Eigen::Vector3d start, Eigen::Vector3d end) {
-  start.y() = end.y() = 0;
-  const Eigen::Vector3d along = end - start;
+// m, of the nearest point of a straight line between two points from the axis.
+double distance_from_axis(const Eigen::Vector2d& start, const Eigen::Vector2d& end) {
+  const Eigen::Vector2d along = end - start;
   const double squared = along.squaredNorm();
   const double part = squared > 0 ? std::clamp(-start.dot(along) / squared, 0.0, 1.0) : 0;
   return (start + part * along).norm();
@@ -122,22 +125,16 @@ double NeighbourWatch::gap_of_far_sectors(const CableState& sector, const std::v
   double first = 0, last = 0, nearest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < sector_.element_of.size(); ++i) {
     if (sector_.element_of[i] < 0) continue;
-    const ModelElement& element = sector_.model.elements[i];
-    const Eigen::Vector3d start = sector.coordinates.get(element.node1), end = sector.coordinates.get(element.node2);
-    const CoordinateLayout layout = sector.layout;
-    const double off = farthest_from_chord(end - start, sector.coordinates.get(layout.gradient(element.gradient1)),
-                                           sector.coordinates.get(layout.gradient(element.gradient2)), lengths[i]);
-    const double from_axis = distance_from_axis(start, end);
-    if (!(from_axis > off)) return 0;
-    const double more = 0.5 * std::numbers::pi * off / from_axis;  // at least the arc sine
-    for (const Eigen::Vector3d& point : {start, end}) {
-      double angle = arc_tangent(point.z(), point.x()) - half;
+    const auto hull = hull_of(sector, sector_.model.elements[i], lengths[i]);
+    for (std::size_t k = 0; k < hull.size(); ++k) {
+      double angle = arc_tangent(hull[k].y(), hull[k].x()) - half;
       if (angle < -std::numbers::pi) angle += 2 * std::numbers::pi;
-      first = std::min(first, angle - more);
-      last = std::max(last, angle + more);
+      first = std::min(first, angle);
+      last = std::max(last, angle);
+      for (std::size_t m = 0; m < k; ++m) nearest = std::min(nearest, distance_from_axis(hull[k], hull[m]));
     }
-    nearest = std::min(nearest, from_axis - off);
   }
+  if (!(last - first < std::numbers::pi)) return 0;  // a hull may hold the axis
   const double apart = std::min(4 * half - (last - first), std::numbers::pi);
   return apart > 0 ? 2 * nearest * sine(0.5 * apart) : 0;
 }
