@@ -96,9 +96,9 @@ class SymmetryTest {
     for (std::size_t i = 0; i < model_.elements.size(); ++i) {
       const ModelElement& one = model_.elements[i];
       const ModelElement& image = model_.elements[static_cast<std::size_t>(next(static_cast<std::int32_t>(i)))];
-      if (next(one.node1) == image.node1 && next(one.node2) == image.node2 &&
-          next(one.gradient1) == image.gradient1 && next(one.gradient2) == image.gradient2 &&
-          have_ratio_one(one.length, image.length) && one.material == image.material && one.group == image.group &&
+      if (next(one.node1) == image.node1 && next(one.node2) == image.node2 && next(one.gradient1) == image.gradient1 &&
+          next(one.gradient2) == image.gradient2 && have_ratio_one(one.length, image.length) &&
+          one.material == image.material && one.group == image.group &&
           next(one.strain_partner) == image.strain_partner)
         continue;
       return fmt::format("{} differs from {}", thread_of(image), thread_of(one));
@@ -378,7 +378,8 @@ class SectorBuild {
     }
     for (const auto& [element, place] : place_of_element_) {
       const std::int32_t partner = whole_.elements[static_cast<std::size_t>(element)].strain_partner;
-      if (partner >= 0) result_.model.elements[static_cast<std::size_t>(place)].strain_partner = place_of_element_.at(partner);
+      if (partner >= 0)
+        result_.model.elements[static_cast<std::size_t>(place)].strain_partner = place_of_element_.at(partner);
     }
   }
 
@@ -412,7 +413,8 @@ class SectorBuild {
       std::ranges::stable_sort(nodes, {}, turns);
       const std::int32_t leader = nodes.front();
       ModelNode& leading = result_.model.nodes[static_cast<std::size_t>(leader)];
-      const ModelNode& whole = whole_.nodes[static_cast<std::size_t>(result_.node_of[static_cast<std::size_t>(leader)])];
+      const ModelNode& whole =
+          whole_.nodes[static_cast<std::size_t>(result_.node_of[static_cast<std::size_t>(leader)])];
       leading.point_mass = whole.point_mass;
       leading.load = whole.load;
       for (std::size_t i = 1; i < nodes.size(); ++i) {

@@ -7,8 +7,8 @@
 // Lanes. Kernels compute eight elements at once where these read eight coordinates each that stand side by side. One
 // sector has no eight equal parts. Its cords are therefore laid side by side, eight at a time, each with its own copy
 // of the knots on it; a lane holds one cord after the other. Copies of a knot are tied: they move as one node. Between
-// two cords of a lane and behind the last one stand idle elements without stiffness, mass and contact. A few cords whose
-// elements have no strain partners (rods) are cut to fill the lanes; at a cut the gradient has a copy too.
+// two cords of a lane and behind the last one stand idle elements without stiffness, mass and contact. A few cords
+// whose elements have no strain partners (rods) are cut to fill the lanes; at a cut the gradient has a copy too.
 //
 // Turned nodes. A cord may end at a node of another sector. That is a copy of the sector's own node, tied to it by a
 // turn.
@@ -37,9 +37,7 @@ class SectorTurn {
   }
 
  private:
-  std::size_t index(int turns) const {
-    return static_cast<std::size_t>(turns < 0 ? turns + sectors() : turns);
-  }
+  std::size_t index(int turns) const { return static_cast<std::size_t>(turns < 0 ? turns + sectors() : turns); }
   std::vector<double> cosine_, sine_;
 };
 

@@ -68,8 +68,9 @@ ParameterValue default_of(const Parameter& parameter) {
 }
 
 // Parameters that came after the first studies and whose default changes nothing.
-constexpr std::string_view kLater[] = {"contact.edge_radius",      "solver.most_steps",     "solver.symmetry",      "drawstring.passage",
-                                       "drawstring.ring_friction", "drawstring.ring_angle", "drawstring.ring_spacing"};
+constexpr std::string_view kLater[] = {"contact.edge_radius",    "solver.most_steps",        "solver.symmetry",
+                                       "drawstring.passage",     "drawstring.ring_friction", "drawstring.ring_angle",
+                                       "drawstring.ring_spacing"};
 
 // The complete scenario, but without [scatter] and later parameters where these do nothing: studies from before they
 // came are the same as after.

@@ -4,8 +4,7 @@
 
 namespace netpocket {
 
-TiedCoordinates::TiedCoordinates(const SectorModel& sector, const CoordinateLayout& layout)
-    : sectors_(sector.sectors) {
+TiedCoordinates::TiedCoordinates(const SectorModel& sector, const CoordinateLayout& layout) : sectors_(sector.sectors) {
   const SectorTurn turn(sector.sectors);
   const auto add = [&](std::int32_t coordinate, int turns) {
     places_.push_back({coordinate, turns != 0, 0, 0, turn.cosine(turns), turn.sine(turns)});

@@ -50,8 +50,8 @@ class TiedCoordinates {
     chosen_.clear();
     others_ = groups_;
   }
-  // Adds to the applied forces of the chosen copies what the others of their group bear. `sum_forces`(blocks, rows): all
-  // forces so far on blocks of coordinates.
+  // Adds to the applied forces of the chosen copies what the others of their group bear. `sum_forces`(blocks, rows):
+  // all forces so far on blocks of coordinates.
   template <typename SumForces>
   void share(const SumForces& sum_forces, AppliedForces& applied) {
     if (chosen_.empty()) return;
@@ -123,7 +123,7 @@ class TiedCoordinates {
   std::vector<std::int32_t> blocks_;       // of coordinates that hold copies, ascending
   std::vector<std::int32_t> some_blocks_;  // indices into blocks_
   std::vector<std::int32_t> wanted_;
-  AlignedVector<double> rows_;  // forces on blocks
+  AlignedVector<double> rows_;                 // forces on blocks
   std::vector<Eigen::Vector3d> before_, own_;  // by place
 };
 

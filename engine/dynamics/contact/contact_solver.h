@@ -37,8 +37,8 @@ class ContactSolver {
 
   // To be called when positions have changed in another way than by a step: after a displacement or a restored state.
   void forget_candidates();
-  // The model is one of this many equal sectors around the y axis (model/sector_model.h): what acts on a body acts on it
-  // from each of them, and all share its inertia.
+  // The model is one of this many equal sectors around the y axis (model/sector_model.h): what acts on a body acts on
+  // it from each of them, and all share its inertia.
   void set_sectors(int sectors) { sectors_ = sectors; }
   void set_friction(double coefficient) { settings_.friction = coefficient; }
   // Step (s) that the stiffness of all contacts is for, as long as steps are not much shorter.

@@ -42,9 +42,7 @@ class ContactedCoordinates {
     return place;
   }
   bool is_empty() const { return blocks_.empty(); }
-  bool holds(std::int32_t coordinate) const {
-    return place_[static_cast<std::uint32_t>(coordinate) / kBlockSize] >= 0;
-  }
+  bool holds(std::int32_t coordinate) const { return place_[static_cast<std::uint32_t>(coordinate) / kBlockSize] >= 0; }
   // Coordinates that are copies of one node: they share all contacts of the copies. To be called after all share().
   // Returns whether there are any.
   bool share_among(std::span<const std::int32_t> copies) {

@@ -402,7 +402,9 @@ void CableSystem::set_friction(double coefficient) {
   s.forces.forget();
 }
 
-const Eigen::Vector3d& CableSystem::contact_impulse(std::int32_t body) const { return impl_->running().contacts.impulse(body); }
+const Eigen::Vector3d& CableSystem::contact_impulse(std::int32_t body) const {
+  return impl_->running().contacts.impulse(body);
+}
 const Eigen::Vector3d& CableSystem::body_contact_impulse(std::int32_t body) const {
   return impl_->running().contacts.body_impulse(body);
 }

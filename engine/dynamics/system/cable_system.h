@@ -36,8 +36,8 @@ enum class ElementEvaluation {
 struct SystemOptions {
   ElementEvaluation evaluation = ElementEvaluation::mean_strain;
   int threads = 1;
-  // Number of equal sectors around the y axis, numbered as model/sector_model.h says. While the system is symmetric, one
-  // of them is stepped for all. 0: the whole system is stepped always.
+  // Number of equal sectors around the y axis, numbered as model/sector_model.h says. While the system is symmetric,
+  // one of them is stepped for all. 0: the whole system is stepped always.
   int sectors = 0;
 };
 

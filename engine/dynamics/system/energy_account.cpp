@@ -106,9 +106,8 @@ EnergyAudit EnergyAccount::make_audit() {
   EnergyAudit result;
   result.kinetic = kinetic_energy(velocity) + sectors_ * flow.kinetic;
   result.aliased = sectors_ * integrator_.aliased_energy(velocity);
-  result.strain =
-      forces_.line_energy() +
-      sectors_ * forces_.with_hinge_energy(forces_.wrinkling_energy() + element_states_.strain_energy());
+  result.strain = forces_.line_energy() +
+                  sectors_ * forces_.with_hinge_energy(forces_.wrinkling_energy() + element_states_.strain_energy());
   if (!ring_ropes_.empty()) result.strain += ring_ropes_.energy();
   const SystemContacts::Power before = contacts_.power_before(), after = contact_power_after(state_.last_step);
   // Energy of the first half of the step that the forces act for, in which the power has changed by half of its change.

@@ -208,7 +208,8 @@ std::optional<std::string> SymmetricSector::asymmetry() const {
       return "ropes are wound apart";
     }
   }
-  if (whole_.contacts.reference_step() != 0 && !whole_.contacts.with_bodies().are_springs_plain()) return "springs of contacts differ";
+  if (whole_.contacts.reference_step() != 0 && !whole_.contacts.with_bodies().are_springs_plain())
+    return "springs of contacts differ";
   return std::nullopt;
 }
 
@@ -238,8 +239,9 @@ void SymmetricSector::leave(const std::string& reason) {
 }
 
 void SymmetricSector::control(std::int32_t body, const BodyControl& control) {
-  if (!is_axial(control)) leave("the " + whole_.model.bodies[static_cast<std::size_t>(body)].name +
-                                " is pushed across the axis or turned about another one");
+  if (!is_axial(control))
+    leave("the " + whole_.model.bodies[static_cast<std::size_t>(body)].name +
+          " is pushed across the axis or turned about another one");
 }
 
 void SymmetricSector::wind(std::int32_t rope, const RopeMotion& motion) {
@@ -346,7 +348,8 @@ void SymmetricSector::unfold(const Snapshot& part, Snapshot& whole) const {
   }
   whole.rope_element_length.clear();
   for (const double length : part.rope_element_length) {
-    whole.rope_element_length.insert(whole.rope_element_length.end(), static_cast<std::size_t>(sector_.sectors), length);
+    whole.rope_element_length.insert(whole.rope_element_length.end(), static_cast<std::size_t>(sector_.sectors),
+                                     length);
   }
   whole.contacts.clear();
   for (const ContactPoint& contact : part.contacts) {

@@ -51,8 +51,7 @@ Model wheel(int sectors) {
     model.add_element({sectors + s, 2 * sectors + s, 2 * sectors + s, 3 * sectors + s, side, material});
   }
   for (int s = 0; s < sectors; ++s) {
-    model.add_element(
-        {2 * sectors + s, 3 * sectors + s, sectors + (s + 1) % sectors, 4 * sectors + s, side, material});
+    model.add_element({2 * sectors + s, 3 * sectors + s, sectors + (s + 1) % sectors, 4 * sectors + s, side, material});
     model.pair(sectors + s, 2 * sectors + s);
   }
   return model;
@@ -126,7 +125,9 @@ TEST(FindAsymmetry, TellsWhatDiffers) {
   EXPECT_EQ(reason([](Model& m) { m.elements[10].length *= 1 + 1e-6; }), "cable differs from cable");
   EXPECT_EQ(reason([](Model& m) { m.gravity = {0, -9.81, 0}; }), "symmetric");
   EXPECT_EQ(reason([](Model& m) { m.gravity = {0.1, -9.81, 0}; }), "gravity acts across the axis");
-  EXPECT_EQ(reason([](Model& m) { m.lines.push_back({0, 1, 1, 1, 1}); }),
+  EXPECT_EQ(reason([](Model& m) {
+              m.lines.push_back({0, 1, 1, 1, 1});
+            }),
             "lines, ropes through rings and locked bodies have no sectors");
   EXPECT_EQ(reason([](Model& m) { m.add_node({0, 0, 0}); }), "sectors have different numbers of parts");
   const auto with_body = [&](const Eigen::Vector3d& position, const Eigen::Matrix3d& inertia) {
