@@ -234,7 +234,7 @@ constexpr std::array kParameters = {
     parameter<kSolver, &Solver::perturbation>("solver.perturbation", within(0, 0.01), "m", "largest random displacement of a free node at the start", kAssumption),
     parameter<kSolver, &Solver::seed>("solver.seed", within(0, 2147483647), "", "seed of the random displacements", kAssumption),
     parameter<kSolver, &Solver::most_steps>("solver.most_steps", within(0, 2147483647), "", "number of steps after which a run ends, wherever it is; 0: no limit. For campaigns, where a capture now and then takes a thousand times as long as the others", "user's choice"),
-    parameter<kSolver, &Solver::symmetry>("solver.symmetry", kNone, "", "auto: while all sectors of a pocket are alike and nothing acts across its axis, one sector is computed for all, which is several times as fast and agrees to round-off; off: the whole is computed always", "user's choice"),
+    parameter<kSolver, &Solver::symmetry>("solver.symmetry", kNone, "", "auto: while all sectors of a pocket are alike and nothing acts across its axis, one sector is computed for all, in less than half the time and with the same result but for round-off; off: the whole is computed always", "user's choice"),
 
     parameter<kOutput, &Output::end_time>("output.end_time", within(1e-3, 1e5), "s", "simulated time at which the run ends", kAssumption),
     parameter<kOutput, &Output::frame_rate>("output.frame_rate", within(1e-2, 1e5), "1/s", "recorded frames per simulated second", kAssumption),

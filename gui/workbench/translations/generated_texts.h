@@ -239,6 +239,8 @@ inline constexpr const char* kGeneratedTexts[] = {
     QT_TRANSLATE_NOOP("parameters", "Seed"), QT_TRANSLATE_NOOP("parameters", "seed of the random displacements"),
     QT_TRANSLATE_NOOP("parameters", "Most steps"),
     QT_TRANSLATE_NOOP("parameters", "number of steps after which a run ends, wherever it is; 0: no limit. For campaigns, where a capture now and then takes a thousand times as long as the others"),
+    QT_TRANSLATE_NOOP("parameters", "Symmetry"),
+    QT_TRANSLATE_NOOP("parameters", "auto: while all sectors of a pocket are alike and nothing acts across its axis, one sector is computed for all, in less than half the time and with the same result but for round-off; off: the whole is computed always"),
     QT_TRANSLATE_NOOP("parameters", "Output"),
     QT_TRANSLATE_NOOP("parameters", "Length of the run and what is recorded."),
     QT_TRANSLATE_NOOP("parameters", "End time"),
