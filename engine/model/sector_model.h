@@ -41,9 +41,9 @@ class SectorTurn {
   std::vector<double> cosine_, sine_;
 };
 
-// Why the model is not the same after a turn, one sentence; nothing when it is: numbers agree to 1e-9 of their size (m,
-// kg, N). Models with lines, ropes through rings, locks, the tide, or a surface of a body on the axis that is none of
-// revolution are the same only as far as this function can tell: it refuses all but the last.
+// Why the model is not the same after a turn, one clause; nothing when it is. Numbers that agree to 1e-9 (m, kg, N, or
+// of their size) are the same. Refuses models with lines, ropes through rings, locks or an orbit. Does not look at the
+// shapes of bodies.
 std::optional<std::string> find_asymmetry(const Model& whole, int sectors);
 
 struct SectorModel {
