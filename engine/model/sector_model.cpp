@@ -228,17 +228,22 @@ std::vector<Lane> lanes_of(std::vector<const Chain*> chains) {
   }
 }
 
-// Cuts few chains so that each lane holds one piece and all lanes are about as long. Many chains stay whole.
-std::vector<Chain> cut_to_lanes(const std::vector<Chain>& chains) {
+// Cuts few chains so that each lane holds one piece and all lanes are about as long. Many chains stay whole. Strain
+// partners stay together: they share their middle node.
+std::vector<Chain> cut_to_lanes(const std::vector<Chain>& chains, const Model& whole) {
   if (chains.size() > static_cast<std::size_t>(kBlockSize)) return chains;
+  const auto is_pair = [&](std::int32_t one, std::int32_t next) {
+    return whole.elements[static_cast<std::size_t>(one)].strain_partner == next;
+  };
   std::vector<Chain> pieces;
   for (std::size_t longest = 1; pieces.empty() || pieces.size() > static_cast<std::size_t>(kBlockSize); ++longest) {
     pieces.clear();
     for (const Chain& chain : chains) {
-      for (std::size_t i = 0; i < chain.elements.size(); i += longest) {
-        const auto first = chain.elements.begin() + static_cast<std::ptrdiff_t>(i);
-        const std::size_t count = std::min(longest, chain.elements.size() - i);
-        pieces.push_back({{first, first + static_cast<std::ptrdiff_t>(count)}, false});
+      pieces.emplace_back();
+      for (std::size_t i = 0; i < chain.elements.size(); ++i) {
+        const std::vector<std::int32_t>& last = pieces.back().elements;
+        if (last.size() >= longest && !is_pair(last.back(), chain.elements[i])) pieces.emplace_back();
+        pieces.back().elements.push_back(chain.elements[i]);
       }
     }
   }
@@ -256,7 +261,7 @@ class SectorBuild {
       std::vector<Chain> alike;
       std::ranges::copy_if(chains, std::back_inserter(alike), [&](const Chain& c) { return c.paired == paired; });
       if (alike.empty()) continue;
-      if (!paired) alike = cut_to_lanes(alike);
+      if (!paired) alike = cut_to_lanes(alike, whole_);
       std::vector<const Chain*> pieces;
       for (const Chain& chain : alike) pieces.push_back(&chain);
       lay(lanes_of(pieces), paired);

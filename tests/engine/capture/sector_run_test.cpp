@@ -228,6 +228,27 @@ TEST(SectorRun, IsLeftWhenCordsTouch) {
   EXPECT_GT(simulation.symmetry().since, 0);
 }
 
+// Cords of an odd number of elements, cut rods with strain partners, no strain partners at all.
+TEST(SectorRun, AgreesForAnyDivisionOfCords) {
+  const std::vector<std::function<void(Scenario&)>> divisions = {
+      [](Scenario& s) { s.rods.elements_per_side = 2; },   [](Scenario& s) { s.rods.elements_per_side = 3; },
+      [](Scenario& s) { s.pocket.elements_per_side = 1; }, [](Scenario& s) { s.pocket.elements_per_side = 3; },
+      [](Scenario& s) { s.closing.elements = 3; },         [](Scenario& s) { s.solver.pair_strains = false; }};
+  for (std::size_t i = 0; i < divisions.size(); ++i) {
+    Scenario scenario = coarse(Symmetry::off);
+    divisions[i](scenario);
+    Simulation whole(scenario);
+    scenario.solver.symmetry = Symmetry::automatic;
+    Simulation sector(scenario);
+    advance(whole, 0.15);
+    advance(sector, 0.15);
+    ASSERT_TRUE(sector.symmetry().is_symmetric) << sector.symmetry().reason;
+    const Difference by = difference(whole.snapshot(), sector.snapshot());
+    EXPECT_LT(by.node, 1e-10) << "m, division " << i;
+    EXPECT_LT(by.energy, 1e-8) << "J, division " << i;
+  }
+}
+
 class SectorRunOfRods : public testing::TestWithParam<int> {};
 
 TEST_P(SectorRunOfRods, AgreesWithTheRunOfAllSectors) {
