@@ -90,6 +90,7 @@ RunResult record(Simulation& simulation, BackgroundRecorder& recorder, bool from
     result.status = {RunReason::storage_failed, simulation.time(), error.what()};
   }
   result.statistics = simulation.statistics();
+  result.symmetry = simulation.symmetry();
   finish(recorder, result);
   result.recorded = recorder.is_published();
   return result;

@@ -32,6 +32,7 @@ struct RunProgress {
 struct RunResult {
   RunStatus status;
   RunStatistics statistics;
+  SymmetryStatus symmetry;
   bool recorded = true;  // false: a resumed run did not get beyond the old recording, which is unchanged
 };
 

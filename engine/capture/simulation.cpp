@@ -48,9 +48,9 @@ double wall_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-SystemOptions system_options(const Scenario& scenario, const SimulationOptions& options) {
+SystemOptions system_options(const Scenario& scenario, const SimulationOptions& options, int sectors) {
   return {scenario.solver.evaluation == Evaluation::full ? ElementEvaluation::full : ElementEvaluation::mean_strain,
-          options.threads};
+          options.threads, scenario.solver.symmetry == Symmetry::automatic ? sectors : 0};
 }
 
 }  // namespace
@@ -59,7 +59,7 @@ struct Simulation::Impl {
   Impl(const Scenario& s, const SimulationOptions& options)
       : scenario(s),
         capture_system(build_capture_system(s)),
-        system(std::move(capture_system.model), system_options(s, options)),
+        system(std::move(capture_system.model), system_options(s, options, capture_system.sectors)),
         controls(system),
         channels(capture_system.spacecraft, capture_system.target),
         step_choice(system) {
@@ -405,6 +405,8 @@ void Simulation::restore(std::span<const double> state) {
     throw std::invalid_argument("the saved state does not belong to this scenario: " + *fault);
   }
 }
+
+SymmetryStatus Simulation::symmetry() const { return impl_->system.symmetry(); }
 
 RunStatistics Simulation::statistics() const {
   RunStatistics result;

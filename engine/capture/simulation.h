@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/dynamics/system/cable_system.h"
 #include "engine/scenario/scenario.h"
 #include "engine/state/run_status.h"
 #include "engine/state/snapshot.h"
@@ -64,6 +65,8 @@ class Simulation {
   std::vector<double> checkpoint() const;
   void restore(std::span<const double> state);
 
+  // Whether one sector of the system stands for all at present (solver.symmetry).
+  SymmetryStatus symmetry() const;
   RunStatistics statistics() const;  // wall and CPU seconds are those spent in advance()
 
  private:

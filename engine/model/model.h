@@ -44,6 +44,7 @@ struct ModelGradient {
   Eigen::Vector3d rate = Eigen::Vector3d::Zero();  // 1/s
   Support support = Support::free;
   std::int32_t body = -1;
+  std::int32_t copy_of = -1;  // the gradient that this is a copy of (sector_model.h); -1: of none
 };
 
 // A round cord or tube.

@@ -30,6 +30,8 @@ constexpr std::array kNames<Evaluation> = {"mean_strain"sv, "full"sv};
 template <>
 constexpr std::array kNames<Fidelity> = {"full"sv, "draft"sv};
 template <>
+constexpr std::array kNames<Symmetry> = {"off"sv, "auto"sv};
+template <>
 constexpr std::array kNames<ClosingStart> = {"time"sv, "target_inside"sv, "distance"sv};
 template <>
 constexpr std::array kNames<TowingStart> = {"time"sv, "closed"sv};
@@ -235,6 +237,7 @@ constexpr std::array kParameters = {
     parameter<kSolver, &Solver::seed>("solver.seed", within(0, 2147483647), "", "seed of the random displacements", kAssumption),
     parameter<kSolver, &Solver::most_steps>("solver.most_steps", within(0, 2147483647), "", "number of steps after which a run ends, wherever it is; 0: no limit. For campaigns, where a capture now and then takes a thousand times as long as the others", "user's choice"),
     parameter<kSolver, &Solver::fidelity>("solver.fidelity", kNone, "", "full; draft, for maps of many captures: at most three meshes across and three rows, one element a side, axial stiffness divided by 30, in pockets of the evaluation mean_strain only. Results of a draft state its measured bias", "assumption; THEORY.md 7.4"),
+    parameter<kSolver, &Solver::symmetry>("solver.symmetry", kNone, "", "auto: while all sectors of a pocket are alike and nothing acts across its axis, one sector is computed for all, in less than half the time and with the same result but for round-off; off: the whole is computed always", "user's choice"),
 
     parameter<kOutput, &Output::end_time>("output.end_time", within(1e-3, 1e5), "s", "simulated time at which the run ends", kAssumption),
     parameter<kOutput, &Output::frame_rate>("output.frame_rate", within(1e-2, 1e5), "1/s", "recorded frames per simulated second", kAssumption),

@@ -28,6 +28,7 @@ enum class TowingStart { time, closed };
 enum class StationKeeping { free, attitude, lateral };
 enum class Evaluation { mean_strain, full };
 enum class Fidelity { full, draft };
+enum class Symmetry { off, automatic };
 enum class OrbitModel { off, hill, two_body, two_body_j2 };
 enum class OrbitAxes { fixed, local };
 
@@ -147,6 +148,7 @@ struct SolverParameters {
   int seed = 1;                         // of the perturbation's random numbers
   int most_steps = 0;                   // after which a run ends; 0: no limit
   Fidelity fidelity = Fidelity::full;   // draft: fidelity.h
+  Symmetry symmetry = Symmetry::off;    // whether one sector stands for all while they are alike
 };
 
 // The orbit of the world's origin (orbit/reference_orbit.h). The world's axes do not turn.

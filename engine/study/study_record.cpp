@@ -80,6 +80,7 @@ ParameterValue default_of(const Parameter& parameter) {
 constexpr std::string_view kLater[] = {"contact.edge_radius",
                                        "solver.most_steps",
                                        "solver.fidelity",
+                                       "solver.symmetry",
                                        "drawstring.passage",
                                        "drawstring.ring_friction",
                                        "drawstring.ring_angle",

@@ -31,6 +31,8 @@ struct CaptureSystem {
   Structure structure;           // of `model`; its channels must include common_channels of the bodies below
   std::int32_t spacecraft = -1;  // index into Model::bodies; -1: none
   std::int32_t target = -1;      // likewise
+  // Number of equal sectors of the model around the y axis, numbered as model/sector_model.h says; 0: it has none.
+  int sectors = 0;
   std::vector<SystemController> controllers;
   // Fills the channels that only this kind of system has. All else in the snapshot has just been captured from the
   // system. May be empty.

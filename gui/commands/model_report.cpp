@@ -105,6 +105,12 @@ std::string inertia_line(const Scenario& scenario, const Eigen::Matrix3d& inerti
   return fmt::format("{}{} kg m^2 ({})", diagonal, products, choice_text(scenario, "target.inertia_from"));
 }
 
+std::string symmetry(const Simulation& simulation) {
+  const SymmetryStatus status = simulation.symmetry();
+  if (status.is_symmetric) return "one sector is computed for all until something breaks the symmetry";
+  return "all sectors are computed: " + (status.reason.empty() ? "the system has no sectors" : status.reason);
+}
+
 }  // namespace
 
 std::string model_report(const Scenario& scenario) {
@@ -129,6 +135,7 @@ std::string model_report(const Scenario& scenario) {
   }
   if (scenario.system == kPocketSystem) text += line("closing", closing(scenario));
   if (has_table(scenario, "towing")) text += line("towing", towing(scenario));
+  if (scenario.solver.symmetry == Symmetry::automatic) text += line("symmetry", symmetry(simulation));
   text +=
       line("step", fmt::format("{:.4g} s at the start, limited by {}", statistics.time_step, statistics.step_limit));
   text +=

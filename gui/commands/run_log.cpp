@@ -67,6 +67,9 @@ void RunLog::note_end(const RunResult& result) {
   const RunStatistics& s = result.statistics;
   logger_->info("{} elements, {} coordinates, {} steps, smallest {:.4g} s, limited by {}", s.elements, s.coordinates,
                 s.steps, s.time_step, s.step_limit);
+  if (!result.symmetry.reason.empty()) {
+    logger_->info("all sectors computed from t = {:.6g} s on: {}", result.symmetry.since, result.symmetry.reason);
+  }
   logger_->info("{} at t = {:.6g} s after {:.1f} s, {:.1f} s of processor time: {}", to_string(result.status.reason),
                 result.status.time, s.wall_seconds, s.cpu_seconds, result.status.message);
 }

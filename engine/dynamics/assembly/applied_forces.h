@@ -3,6 +3,7 @@
 // to them. Most coordinates bear none. Blocks of coordinates with forces are marked, so that the others need not be
 // read.
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cstdint>
 #include <optional>
@@ -41,7 +42,7 @@ class AppliedForces {
         std::copy_n(constant_->rows().first + static_cast<std::ptrdiff_t>(first) * kVectorRows,
                     kVectorRows * kBlockSize, rows);
       } else {
-        std::fill_n(rows, kVectorRows * kBlockSize, 0.0);
+        Eigen::Map<Eigen::Array<double, kVectorRows * kBlockSize, 1>, Eigen::Aligned64>(rows).setZero();
       }
       mark(first) = constant_marks_[static_cast<std::size_t>(first / kBlockSize)];
     }
@@ -51,6 +52,7 @@ class AppliedForces {
     touch(coordinate);
     forces_.add(coordinate, force);
   }
+  Eigen::Vector3d get(std::int32_t coordinate) const { return forces_.get(coordinate); }
   // Marks a coordinate to which a force is going to be added in data().
   void touch(std::int32_t coordinate) {
     if (mark(coordinate) == Mark::touched) return;

@@ -27,6 +27,12 @@ struct Wrench {
   friend Wrench operator+(Wrench a, const Wrench& b) { return a += b; }
 };
 
+// What equal sectors around the y axis exert on a body on it together, from what one of them exerts.
+inline Wrench of_all_sectors(const Wrench& of_one, int sectors) {
+  if (sectors == 1) return of_one;
+  return {{0, sectors * of_one.force.y(), 0}, {0, sectors * of_one.torque.y(), 0}};
+}
+
 // What acts on a body from outside, until it is changed.
 struct BodyControl {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();     // N, at `point`
@@ -68,6 +74,9 @@ class DynamicBody {
   // Wrench of the control in the last step, about the common centre of mass: what it was told to exert, and what
   // prescribing the motion required.
   const Wrench& exerted() const { return exerted_; }
+
+  // Keeps the mass that all attachments have brought, but moves only these from now on.
+  void reduce_attachments(std::vector<Attachment> attachments) { attachments_ = std::move(attachments); }
 
   void note_exerted(const Wrench& exerted) { exerted_ = exerted; }
   // Mean motion over the last kick: the work of a wrench is its product with that and the kick.

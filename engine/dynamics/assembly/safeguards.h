@@ -28,6 +28,14 @@ struct SafeguardCounts {
     return *this;
   }
   friend SafeguardCounts operator+(SafeguardCounts a, const SafeguardCounts& b) { return a += b; }
+  friend SafeguardCounts operator-(const SafeguardCounts& a, const SafeguardCounts& b) { return a + b * -1; }
+  friend SafeguardCounts operator*(SafeguardCounts a, std::int64_t factor) {
+    for (std::int64_t* count : {&a.shortened_steps, &a.limited_hinges, &a.loose_hinges, &a.stopped_blows,
+                                &a.unresolved_contacts, &a.stopped_cords, &a.parted_overlaps}) {
+      *count *= factor;
+    }
+    return a;
+  }
 
   // Gives every count to `visit`, which may change it.
   void visit_state(const std::function<void(double&)>& visit) {

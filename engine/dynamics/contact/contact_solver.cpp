@@ -254,6 +254,11 @@ void ContactSolver::list_places(std::size_t first_block) {
   }
 }
 
+bool ContactSolver::are_springs_plain() const {
+  return steps_.present == steps_.reference &&
+         std::ranges::all_of(partners_, [](const Partner& partner) { return partner.offsets.are_zero(); });
+}
+
 // Springs begin at their offsets. The springs of a holder have one offset, which is at most their greatest depth. The
 // offsets of holders that touch no more are forgotten.
 void ContactSolver::apply_offsets(Partner& partner, double body_mass) {
@@ -380,7 +385,7 @@ void ContactSolver::add_forces(const CoordinateVectors& velocities, ContactedCoo
     const Partner& partner = partners_[b];
     if (partner.first == partner.last) continue;
     const std::span<ContactBlock> contacts = contacts_.range(partner.first, partner.last);
-    force_kernels().forces(view, motion_of(bodies[b], partner.shares), contacts.data(), contacts.size());
+    force_kernels().forces(view, motion_of(bodies[b], sectors_ * partner.shares), contacts.data(), contacts.size());
     const Outcome outcome = outcome_of(partner);
     unresolved_ += outcome.unresolved;
     largest_squared_phase_ = std::max(largest_squared_phase_, outcome.squared_phase);
@@ -391,7 +396,7 @@ void ContactSolver::add_forces(const CoordinateVectors& velocities, ContactedCoo
     }
     power_before_ += outcome.stops > 0 ? power_of(b, velocities.rows(), bodies[b]) : outcome.power;
     add_to_coordinates(contacts, applied);
-    const Wrench on_body = force_on_body(contacts, bodies[b].rigid().position());
+    const Wrench on_body = of_all_sectors(force_on_body(contacts, bodies[b].rigid().position()), sectors_);
     body_force_[b] = on_body.force;
     wrenches[b] += on_body;
   }
@@ -427,7 +432,7 @@ contact_kernel::ContactPower ContactSolver::power_of(std::size_t body, const Coo
   const Partner& partner = partners_[body];
   powers_.resize(contacts_.size());
   const std::span<const ContactBlock> contacts = contacts_.range(partner.first, partner.last);
-  force_kernels().power(velocities, motion_of(dynamic, partner.shares), contacts.data(), contacts.size(),
+  force_kernels().power(velocities, motion_of(dynamic, sectors_ * partner.shares), contacts.data(), contacts.size(),
                         powers_.data() + partner.first);
   contact_kernel::ContactPower sums[kBlockSize];  // side by side, which is faster than one after the other
   std::size_t next = 0;

@@ -37,6 +37,9 @@ class ContactSolver {
 
   // To be called when positions have changed in another way than by a step: after a displacement or a restored state.
   void forget_candidates();
+  // The model is one of this many equal sectors around the y axis (model/sector_model.h): what acts on a body acts on
+  // it from each of them, and all share its inertia.
+  void set_sectors(int sectors) { sectors_ = sectors; }
   void set_friction(double coefficient) { settings_.friction = coefficient; }
   // Step (s) that the stiffness of all contacts is for, as long as steps are not much shorter.
   void set_reference_step(double dt);
@@ -80,6 +83,12 @@ class ContactSolver {
   // Contacts that bear force.
   std::vector<ContactPoint> contacts() const;
   bool has_contacts() const { return contacts_.size() > 0; }
+  bool touches(std::int32_t body) const {
+    const Partner& partner = partners_[static_cast<std::size_t>(body)];
+    return partner.first != partner.last;
+  }
+  // Whether all springs are those of the reference step and begin at the surface.
+  bool are_springs_plain() const;
   const Eigen::Vector3d& force_on(std::int32_t body) const { return body_force_[body]; }
   double deepest_penetration() const { return deepest_penetration_; }  // m
   // The deepest penetration relative to its cord's radius.
@@ -148,6 +157,7 @@ class ContactSolver {
   const Model& model_;
   CordPolyline polyline_;
   ContactSettings settings_;
+  int sectors_ = 1;
   SpringSteps steps_;                 // the present one is the reference step or a half, a quarter, ... of it
   std::vector<Partner> partners_;     // by body
   std::vector<CordTouch> touches_;    // of one body

@@ -41,6 +41,22 @@ class ContactedCoordinates {
     }
     return place;
   }
+  bool is_empty() const { return blocks_.empty(); }
+  bool holds(std::int32_t coordinate) const { return place_[static_cast<std::uint32_t>(coordinate) / kBlockSize] >= 0; }
+  // Coordinates that are copies of one node: they share all contacts of the copies. To be called after all share().
+  // Returns whether there are any.
+  bool share_among(std::span<const std::int32_t> copies) {
+    double total = 0;
+    for (const std::int32_t copy : copies) {
+      if (holds(copy)) total += shared_weight_[place(copy, kBlockSize)];
+    }
+    if (total == 0) return false;
+    for (const std::int32_t copy : copies) {
+      place_for(copy);
+      shared_weight_[place(copy, kBlockSize)] = total;
+    }
+    return true;
+  }
   // Records that a contact acts on `coordinate` with this weight. Returns the index of its block in the rows below.
   std::int32_t share(std::int32_t coordinate, double weight) {
     const std::int32_t place = place_for(coordinate);

@@ -150,10 +150,14 @@ void CordContact::for_each_corner(const Function& function) const {
 }
 
 // The factor 4 is 2 for two approaching cords, times 2 for acceleration.
+double CordContact::reach_ahead(double cord_speed, double dt) const {
+  constexpr double kGrowingWay = 4;
+  return std::min(kGrowingWay * cord_speed * dt, search_.broad_margin());
+}
+
 void CordContact::look_around(const CoordinateVectors& coordinates, const std::vector<double>& element_length,
                               double cord_speed, double dt, const DividedLoop& loop) {
-  constexpr double kGrowingWay = 4;
-  ahead_ = std::min(kGrowingWay * cord_speed * dt, search_.broad_margin());
+  ahead_ = reach_ahead(cord_speed, dt);
   search_.update(coordinates, element_length, ahead_, loop);
 }
 

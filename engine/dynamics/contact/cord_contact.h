@@ -83,6 +83,11 @@ class CordContact {
   ContactDepth deepest_part() const;
   // Number of contacts that bear force.
   int count() const;
+  // Whether the last find() has found any, with force or without.
+  bool has_found_any() const { return !contacts_.empty(); }
+  // Whether look_around() would look at coordinates; whether it and find() could find any contact.
+  bool is_due(double cord_speed, double dt) const { return search_.is_due(reach_ahead(cord_speed, dt)); }
+  bool may_find_any(double cord_speed, double dt) const { return is_due(cord_speed, dt) || !search_.near().empty(); }
   // Sum of the normal forces, N.
   double total_normal_force() const;
 
@@ -126,6 +131,7 @@ class CordContact {
     std::array<Eigen::Vector3d, 2> spread;  // by side: of its first end relative to its second
   };
 
+  double reach_ahead(double cord_speed, double dt) const;
   bool is_least(const NearSegments& near, bool second, double fraction, const Eigen::Vector3d& separation,
                 const CoordinateVectors& coordinates, const std::vector<double>& element_length) const;
   void test(const NearSegments& near, const CoordinateVectors& coordinates, const std::vector<double>& element_length);

@@ -225,8 +225,7 @@ void CordSearch::sort_sides() {
 // path length since.
 void CordSearch::update(const CoordinateVectors& coordinates, const std::vector<double>& element_length, double ahead,
                         const DividedLoop& loop) {
-  const double way = 2 * (travelled_ - travelled_at_refresh_) + ahead;
-  if (!is_fresh_ || !(way <= reach_)) refresh(coordinates, element_length, ahead, loop);
+  if (is_due(ahead)) refresh(coordinates, element_length, ahead, loop);
 }
 
 }  // namespace netpocket

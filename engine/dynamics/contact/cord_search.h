@@ -56,6 +56,10 @@ class CordSearch {
   void update(const CoordinateVectors& coordinates, const std::vector<double>& element_length, double ahead,
               const DividedLoop& loop);
   double broad_margin() const { return broad_margin_; }
+  // Whether update() with this `ahead` looks at coordinates.
+  bool is_due(double ahead) const {
+    return !is_fresh_ || !(2 * (travelled_ - travelled_at_refresh_) + ahead <= reach_);
+  }
 
   std::span<const std::int32_t> near_elements() const { return near_elements_; }
   std::span<const NearSegments> near() const { return near_; }

@@ -57,9 +57,9 @@ NETPOCKET_INLINE SimdDouble gather_values(const double* values, const std::int32
   return gather(values, place);
 }
 
-NETPOCKET_INLINE SimdDouble angle_of(const SimdDouble& sine, const SimdDouble& cosine) {
+NETPOCKET_INLINE SimdDouble angle_of(const SimdDouble& sine, const SimdDouble& cosine, int lanes) {
   SimdDouble angle = {};
-  for (int i = 0; i < kWidth; ++i) angle[i] = arc_tangent(sine[i], cosine[i]);
+  for (int i = 0; i < kWidth && i < lanes; ++i) angle[i] = arc_tangent(sine[i], cosine[i]);
   return angle;
 }
 
@@ -93,7 +93,7 @@ void forces(const CoordinateRows& coordinates, const CoordinateRows& velocities,
     const SimdDouble cosine = dot(t, d2.unit);
     const SimdVector across = cross(t, d2.unit);
     const SimdDouble sine = square_root(dot(across, across));
-    const SimdDouble angle = angle_of(sine, cosine);
+    const SimdDouble angle = angle_of(sine, cosine, block.count - part * kWidth);
     const SimdVector towards2 = t - cosine * d2.unit, towards1 = d2.unit - cosine * t;
     const SimdDouble zero = broadcast(0.0), one = broadcast(1.0);
     // At a straight hinge the plane of the angle is undefined, and the angle's rate is taken as 0.

@@ -243,6 +243,16 @@ void RopeDynamics::visit_state(const std::function<void(double&)>& visit) {
   previous_spans_are_set_ = false;
 }
 
+void RopeDynamics::take_motions(const RopeDynamics& from, std::size_t per_rope, std::size_t stride) {
+  for (std::size_t i = 0; i < ropes_.size(); ++i) {
+    const Rope& source = from.ropes_[i / per_rope * stride];
+    ropes_[i].before = source.before;
+    ropes_[i].now = source.now;
+    ropes_[i].next = source.next;
+  }
+  previous_spans_are_set_ = false;
+}
+
 const MaterialSpan* RopeDynamics::span_of(std::int32_t element) const {
   const auto [rope, index] = place_[element];
   return rope < 0 ? nullptr : &ropes_[rope].spans[index];

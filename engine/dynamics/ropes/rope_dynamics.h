@@ -73,6 +73,8 @@ class RopeDynamics {
 
   // Gives every number of the state to `visit`, which may change it.
   void visit_state(const std::function<void(double&)>& visit);
+  // Takes the motions of another model's ropes: its rope i / `per_rope` * `stride` for rope i.
+  void take_motions(const RopeDynamics& from, std::size_t per_rope, std::size_t stride);
 
   std::int32_t rope_count() const { return static_cast<std::int32_t>(ropes_.size()); }
   double element_length(std::int32_t rope) const { return ropes_[rope].spans.front().length; }

@@ -61,6 +61,16 @@ int StepChoice::class_of(double length) {
   return length_class_ = static_cast<int>(std::floor(logarithm(length) / ratio));
 }
 
+// Whether a rope's elements have the bounds of those of the rope before, at equal lengths.
+bool StepChoice::is_like_previous(std::size_t rope) const {
+  const std::vector<std::int32_t>&own = model_.ropes[rope].elements, &other = model_.ropes[rope - 1].elements;
+  return std::ranges::equal(own, other, [this](std::int32_t a, std::int32_t b) {
+    const ModelElement &one = model_.elements[static_cast<std::size_t>(a)],
+                       &two = model_.elements[static_cast<std::size_t>(b)];
+    return one.material == two.material && (one.strain_partner < 0) == (two.strain_partner < 0);
+  });
+}
+
 // The length is rounded down to a power of 1.01. So there is seldom anything to compute, and the result does not depend
 // on earlier lengths.
 void StepChoice::find_rope_step(std::size_t rope, double length) {
@@ -70,6 +80,11 @@ void StepChoice::find_rope_step(std::size_t rope, double length) {
   if (of_element > bound.above && of_element < bound.below) return;
   const int length_class = class_of(of_element);
   if (length_class == std::exchange(bound.length_class, length_class)) return;
+  if (rope > 0 && is_like_previous(rope) && ropes_[rope - 1].length_class == length_class) {
+    std::tie(bound.shortest, bound.step, bound.above, bound.below) =
+        std::tie(ropes_[rope - 1].shortest, ropes_[rope - 1].step, ropes_[rope - 1].above, ropes_[rope - 1].below);
+    return;
+  }
   const CableSection& section = model_.material_of(elements.front()).section;
   const double element_length = power(kClassRatio, length_class);
   bound.above = (1 + kClassMargin) * element_length;

@@ -77,6 +77,7 @@ class StepChoice {
   bool is_shorter_than_expected() const;
   int class_of(double length);
   void find_rope_step(std::size_t rope, double length);
+  bool is_like_previous(std::size_t rope) const;
   StableStep straight_bound() const;
   std::string rope_limit(std::int32_t rope) const;
   double bend_factor();

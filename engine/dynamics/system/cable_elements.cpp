@@ -8,8 +8,9 @@
 
 namespace netpocket {
 
-CableElements::CableElements(const Model& model, ElementEvaluation evaluation)
+CableElements::CableElements(const Model& model, ElementEvaluation evaluation, const TiedCoordinates* ties)
     : model_(model),
+      ties_(ties),
       evaluation_(evaluation),
       layout_(layout_of(model)),
       batch_(initial_elements()),
@@ -75,6 +76,9 @@ void CableElements::collect_mass() {
     inverse_mass_[coordinate] = 1 / mass_[coordinate];
     moving_mass_[coordinate] = mass_[coordinate];
   }
+  if (ties_ == nullptr) return;
+  massive_ties_ = ties_->groups_with(ropes_.massive_coordinates());
+  ties_->share_masses(ties_->groups(), mass_, inverse_mass_, moving_mass_);
 }
 
 // Whether the element's second node is the middle node of its pair.
@@ -99,6 +103,7 @@ void CableElements::update_ropes() {
     inverse_mass_[coordinate] = 1 / mass_[coordinate];
     moving_mass_[coordinate] = mass_[coordinate];
   }
+  if (ties_ != nullptr) ties_->share_masses(massive_ties_, mass_, inverse_mass_, moving_mass_);
   for (std::int32_t rope = 0; rope < ropes_.rope_count(); ++rope) {
     for (const std::int32_t element : model_.ropes[rope].elements) {
       set_length(static_cast<std::size_t>(element), ropes_.element_length(rope));

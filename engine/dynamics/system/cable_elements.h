@@ -12,6 +12,7 @@
 #include "engine/ancf/material_span.h"
 #include "engine/base/aligned_vector.h"
 #include "engine/dynamics/assembly/coordinate_vectors.h"
+#include "engine/dynamics/assembly/tied_coordinates.h"
 #include "engine/dynamics/ropes/rope_dynamics.h"
 #include "engine/dynamics/system/cable_system.h"
 #include "engine/model/model.h"
@@ -21,8 +22,8 @@ namespace netpocket {
 // `element`: index into Model::elements.
 class CableElements {
  public:
-  // `model` must outlive this object.
-  CableElements(const Model& model, ElementEvaluation evaluation);
+  // All must outlive this object. `ties`: of a model that is one sector; null: none.
+  CableElements(const Model& model, ElementEvaluation evaluation, const TiedCoordinates* ties = nullptr);
   CableElements(const CableElements&) = delete;
   CableElements& operator=(const CableElements&) = delete;
 
@@ -71,6 +72,7 @@ class CableElements {
   bool ends_at_strain_partner(const BatchElement& element) const;
 
   const Model& model_;
+  const TiedCoordinates* ties_;
   ElementEvaluation evaluation_;
   CoordinateLayout layout_;
   ElementBatch batch_;
@@ -82,6 +84,7 @@ class CableElements {
   std::vector<double> mass_;
   AlignedVector<double> inverse_mass_, moving_mass_;
   std::vector<double> mass_without_ropes_;  // by entry of ropes_.massive_coordinates()
+  std::vector<TiedCoordinates::Group> massive_ties_;
 };
 
 }  // namespace netpocket

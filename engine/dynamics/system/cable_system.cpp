@@ -8,15 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "engine/dynamics/system/cable_elements.h"
-#include "engine/dynamics/system/cable_state.h"
-#include "engine/dynamics/system/element_states.h"
-#include "engine/dynamics/system/energy_account.h"
-#include "engine/dynamics/system/leapfrog.h"
-#include "engine/dynamics/system/system_contacts.h"
-#include "engine/dynamics/system/system_forces.h"
-#include "engine/dynamics/system/system_threads.h"
-#include "engine/dynamics/system/travelled_way.h"
+#include "engine/dynamics/system/cable_system_impl.h"
+#include "engine/dynamics/system/symmetric_sector.h"
 
 namespace netpocket {
 namespace {
@@ -25,8 +18,6 @@ namespace {
 constexpr double kRunawaySpeed = 1e5;
 // Number of coordinates that a thread examines at once.
 constexpr int kSoundRange = 8192;
-// Step (s) for forces that are needed before the first step.
-constexpr double kStepBeforeFirst = 1e-4;
 
 // For messages. Of a runaway only the order of magnitude matters.
 std::string speed_text(double speed) {
@@ -51,54 +42,52 @@ void copy_coordinates(const CoordinateVectors& vectors, std::int32_t first, std:
 
 }  // namespace
 
-// The parts of a system. Each refers to those before it.
-struct CableSystem::Impl {
-  Impl(Model&& source, const SystemOptions& options)
-      : model(std::move(source)),
-        threads(model.elements.size(), options.threads),
-        elements(model, options.evaluation),
-        state(model, elements.mass()),
-        element_states(model, elements, state, threads),
-        travelled(model, elements, state, threads),
-        ring_ropes(model, state.layout),
-        contacts(model, elements, state, threads),
-        forces(model, elements, state, ring_ropes, contacts, travelled, threads),
-        integrator(model, elements, state, forces, threads, travelled.weights()),
-        energies(elements, state, ring_ropes, contacts, forces, element_states, integrator) {
-    ring_ropes.stretch(state.coordinates);
-    begin_account();
+// The state of one sector. Its bodies have the mass of all that is attached to them in the whole.
+CableState CableSystem::Impl::sector_state(const Model& model, std::span<const double> mass, const Origin& origin) {
+  CableState state(model, mass);
+  const SectorModel& sector = origin.sector;
+  const CoordinateLayout whole = origin.whole.layout;
+  for (std::size_t b = 0; b < state.bodies.size(); ++b) {
+    state.bodies[b] = origin.whole.bodies[b];
+    std::vector<DynamicBody::Attachment> attachments;
+    for (DynamicBody::Attachment attachment : origin.whole.bodies[b].attachments()) {
+      const auto& of_whole = attachment.direction ? sector.gradient_of : sector.node_of;
+      const std::int32_t index = attachment.coordinate - (attachment.direction ? whole.gradient(0) : whole.position(0));
+      for (std::size_t i = 0; i < of_whole.size(); ++i) {
+        if (of_whole[i] != index) continue;
+        const auto place = static_cast<std::int32_t>(i);
+        attachment.coordinate = attachment.direction ? state.layout.gradient(place) : state.layout.position(place);
+        attachments.push_back(attachment);
+      }
+    }
+    state.bodies[b].reduce_attachments(std::move(attachments));
+    state.bodies[b].move_attachments(state.coordinates, state.velocities);
   }
+  return state;
+}
 
-  void begin_account();
-  void fix_contacts(double dt);
-  void fit_contacts(double dt, double spring_step);
-  void step(double dt, double spring_step);
-  void step_locked(LockedBodies& lock, double kick, double dt);
-  void step_bodies(double kick, double dt);
-  void keep_forces_current() { forces.keep_current(state.last_step > 0 ? state.last_step : kStepBeforeFirst); }
-  void state_has_jumped();
-  void visit_state(const std::function<void(double&)>& visit);
-  bool looks_sound() const;
-  // Index into Model::ring_ropes of what a run numbers as `rope`; nothing if it is one of Model::ropes.
-  std::optional<std::size_t> ring_rope(std::int32_t rope) const {
-    const auto index = static_cast<std::size_t>(rope);
-    return index < model.ropes.size() ? std::nullopt : std::optional(index - model.ropes.size());
-  }
-  std::string contact_of(std::int32_t element) const;
+CableSystem::Impl::Impl(Model&& source, const SystemOptions& options, const Origin* origin)
+    : model(std::move(source)),
+      threads(model.elements.size(), options.threads),
+      ties(origin ? std::optional<TiedCoordinates>(std::in_place, origin->sector, layout_of(model)) : std::nullopt),
+      elements(model, options.evaluation, ties ? &*ties : nullptr),
+      state(origin ? sector_state(model, elements.mass(), *origin) : CableState(model, elements.mass())),
+      element_states(model, elements, state, threads),
+      travelled(model, elements, state, threads),
+      ring_ropes(model, state.layout),
+      contacts(model, elements, state, threads, ties ? ties->sectors() : 1),
+      forces(model, elements, state, ring_ropes, contacts, travelled, threads, ties ? &*ties : nullptr),
+      integrator(model, elements, state, forces, threads, travelled.weights(), ties ? &*ties : nullptr),
+      energies(elements, state, ring_ropes, contacts, forces, element_states, integrator, ties ? ties->sectors() : 1) {
+  ring_ropes.stretch(state.coordinates);
+  begin_account();
+}
+CableSystem::Impl::~Impl() = default;
 
-  Model model;
-  SystemThreads threads;
-  CableElements elements;
-  CableState state;
-  ElementStates element_states;
-  TravelledWay travelled;
-  RingRopes ring_ropes;
-  SystemContacts contacts;
-  SystemForces forces;
-  Leapfrog integrator;
-  EnergyAccount energies;
-  SafeguardCounts safeguards;
-};
+CableSystem::Impl& CableSystem::Impl::running() { return sector && sector->is_active() ? sector->part() : *this; }
+void CableSystem::Impl::leave_symmetry(const std::string& reason) {
+  if (sector) sector->leave(reason);
+}
 
 // Called again when a system is displaced or its springs change before the first step: the account then begins at that
 // state.
@@ -131,10 +120,12 @@ void CableSystem::Impl::step(double dt, double spring_step) {
   fit_contacts(dt, spring_step);
   forces.keep_for_step(dt);
   const double kick = integrator.kick(dt);
+  const SafeguardCounts before = safeguards;
   energies.before_step(kick);
   safeguards += forces.hinge_safeguards();
   energies.add_spent_in_contacts(contacts.note_step(kick, safeguards));
   const auto fastest = integrator.move(state.velocities, state.coordinates, kick, dt);
+  if (ties) safeguards = before + (safeguards - before) * ties->sectors();
   energies.after_coordinates(kick);
   elements.ropes().finish_step(dt);
   step_bodies(kick, dt);
@@ -224,24 +215,65 @@ void CableSystem::Impl::visit_state(const std::function<void(double&)>& visit) {
   if (changed) state_has_jumped();
 }
 
+EnergyAudit CableSystem::Impl::audit() {
+  if (!energies.is_audited()) keep_forces_current();
+  return energies.audit();
+}
+
+EnergyAudit CableSystem::Impl::capture(Snapshot& snapshot) {
+  const Impl& s = *this;
+  const EnergyAudit audited = audit();
+  snapshot.time = s.state.time;
+  snapshot.step = s.state.steps;
+  const CoordinateLayout& layout = s.state.layout;
+  copy_coordinates(s.state.coordinates, layout.position(0), layout.node_count, snapshot.positions);
+  copy_coordinates(s.state.velocities, layout.position(0), layout.node_count, snapshot.velocities);
+  copy_coordinates(s.state.coordinates, layout.gradient(0), layout.gradient_count, snapshot.gradients);
+  snapshot.tension.resize(static_cast<Eigen::Index>(s.model.elements.size()));
+  snapshot.strain.resize(static_cast<Eigen::Index>(s.model.elements.size()));
+  for (std::size_t i = 0; i < s.model.elements.size(); ++i) {
+    snapshot.tension[static_cast<Eigen::Index>(i)] = s.element_states.tension(i);
+    snapshot.strain[static_cast<Eigen::Index>(i)] = s.element_states.strain(i);
+  }
+  snapshot.rope_element_length.clear();
+  for (std::int32_t rope = 0; rope < s.elements.ropes().rope_count(); ++rope) {
+    snapshot.rope_element_length.push_back(s.elements.ropes().element_length(rope));
+  }
+  snapshot.bodies.clear();
+  for (const DynamicBody& body : s.state.bodies) snapshot.bodies.push_back(body.state());
+  snapshot.contacts = s.contacts.with_bodies().contacts();
+  if (const BodyContact* of_bodies = s.contacts.of_bodies()) of_bodies->append_points(snapshot.contacts);
+  return audited;
+}
+
 CableSystem::CableSystem(Model model, const SystemOptions& options) {
   if (const auto fault = model.find_fault()) throw std::invalid_argument(*fault);
   impl_ = std::make_unique<Impl>(std::move(model), options);
+  if (options.sectors > 0) impl_->sector = std::make_unique<SymmetricSector>(*impl_, options.sectors);
 }
 CableSystem::~CableSystem() = default;
 CableSystem::CableSystem(CableSystem&&) noexcept = default;
 CableSystem& CableSystem::operator=(CableSystem&&) noexcept = default;
 
 const Model& CableSystem::model() const { return impl_->model; }
-double CableSystem::time() const { return impl_->state.time; }
-std::int64_t CableSystem::steps() const { return impl_->state.steps; }
+double CableSystem::time() const { return impl_->running().state.time; }
+std::int64_t CableSystem::steps() const { return impl_->running().state.steps; }
 double CableSystem::helpers_cpu_seconds() const { return impl_->threads.helpers_cpu_seconds(); }
 ElementEvaluation CableSystem::evaluation() const {
   return impl_->elements.is_full() ? ElementEvaluation::full : ElementEvaluation::mean_strain;
 }
-void CableSystem::step(double dt, double spring_step) { impl_->step(dt, spring_step); }
+SymmetryStatus CableSystem::symmetry() const { return impl_->sector ? impl_->sector->status() : SymmetryStatus{}; }
+void CableSystem::step(double dt, double spring_step) {
+  if (impl_->sector && impl_->sector->is_active()) {
+    impl_->sector->step(dt, spring_step);
+    if (impl_->sector->is_active()) return;
+  }
+  impl_->step(dt, spring_step);
+}
 
 StableStep CableSystem::stable_step() {
+  // Of the whole also while a sector stands for it, so that both runs choose the same steps.
+  if (impl_->sector) impl_->sector->unfold();
   Impl& s = *impl_;
   s.elements.update_ropes();  // until now they have the length of the last step's start
   const std::vector<BatchElement> now = s.elements.batch_elements();
@@ -254,12 +286,14 @@ StableStep CableSystem::stable_step() {
 
 double CableSystem::stable_step_as_bent(const StableStep& straight) {
   if (straight.stiffness == 0) return straight.step;
-  impl_->elements.update_ropes();
-  return impl_->element_states.stable_step(straight);
+  Impl& s = impl_->running();
+  s.elements.update_ropes();
+  return s.element_states.stable_step(straight);
 }
 
 std::optional<std::string> CableSystem::fault() const {
-  const Impl& s = *impl_;
+  if (!impl_->running().looks_sound()) impl_->leave_symmetry("the state is not sound");
+  const Impl& s = impl_->running();
   const std::size_t suspects = s.looks_sound() ? 0 : s.model.elements.size();
   for (std::size_t i = 0; i < suspects; ++i) {
     for (int corner = 0; corner < 4; ++corner) {
@@ -281,28 +315,39 @@ std::optional<std::string> CableSystem::fault() const {
 }
 
 Eigen::Vector3d CableSystem::position(std::int32_t node) const {
+  if (&impl_->running() != impl_.get()) return impl_->sector->position(node);
   return impl_->state.coordinates.get(impl_->state.layout.position(node));
 }
 Eigen::Vector3d CableSystem::velocity(std::int32_t node) const {
+  if (&impl_->running() != impl_.get()) return impl_->sector->velocity(node);
   return impl_->state.velocities.get(impl_->state.layout.position(node));
 }
 Eigen::Vector3d CableSystem::gradient(std::int32_t gradient) const {
+  if (&impl_->running() != impl_.get()) return impl_->sector->gradient(gradient);
   return impl_->state.coordinates.get(impl_->state.layout.gradient(gradient));
 }
-BodyState CableSystem::body(std::int32_t body) const { return impl_->state.bodies[body].state(); }
-RigidMotion CableSystem::motion(std::int32_t body) const { return impl_->state.bodies[body].motion(); }
-const Wrench& CableSystem::exerted(std::int32_t body) const { return impl_->state.bodies[body].exerted(); }
+BodyState CableSystem::body(std::int32_t body) const { return impl_->running().state.bodies[body].state(); }
+RigidMotion CableSystem::motion(std::int32_t body) const { return impl_->running().state.bodies[body].motion(); }
+const Wrench& CableSystem::exerted(std::int32_t body) const { return impl_->running().state.bodies[body].exerted(); }
 const RopeMotion& CableSystem::rope_motion(std::int32_t rope) const {
   const auto ring_rope = impl_->ring_rope(rope);
-  return ring_rope ? impl_->ring_ropes.motion(*ring_rope) : impl_->elements.ropes().motion(rope);
+  if (ring_rope) return impl_->ring_ropes.motion(*ring_rope);
+  Impl& s = impl_->running();
+  return s.elements.ropes().motion(&s == impl_.get() ? rope : impl_->sector->rope_of(rope));
 }
 double CableSystem::rope_tension(std::int32_t rope) const {
   const auto ring_rope = impl_->ring_rope(rope);
-  return ring_rope ? impl_->ring_ropes.tension(*ring_rope) : impl_->element_states.rope_tension(rope);
+  if (ring_rope) return impl_->ring_ropes.tension(*ring_rope);
+  Impl& s = impl_->running();
+  return s.element_states.rope_tension(&s == impl_.get() ? rope : impl_->sector->rope_of(rope));
 }
 void CableSystem::rope_tensions(std::span<double> tensions) const {
   const std::size_t wound = std::min(tensions.size(), static_cast<std::size_t>(impl_->elements.ropes().rope_count()));
-  impl_->element_states.rope_tensions(tensions.first(wound));
+  if (&impl_->running() == impl_.get()) {
+    impl_->element_states.rope_tensions(tensions.first(wound));
+  } else {
+    for (std::size_t rope = 0; rope < wound; ++rope) tensions[rope] = rope_tension(static_cast<std::int32_t>(rope));
+  }
   for (std::size_t rope = wound; rope < tensions.size(); ++rope) {
     tensions[rope] = impl_->ring_ropes.tension(rope - wound);
   }
@@ -315,6 +360,7 @@ std::vector<double> CableSystem::ring_rope_tensions(std::int32_t ring_rope) cons
 }
 
 void CableSystem::displace(std::span<const Eigen::Vector3d> displacements) {
+  impl_->leave_symmetry("nodes are displaced");
   Impl& s = *impl_;
   for (std::size_t i = 0; i < displacements.size(); ++i) {
     if (s.model.nodes[i].support != Support::free) continue;
@@ -325,20 +371,25 @@ void CableSystem::displace(std::span<const Eigen::Vector3d> displacements) {
   s.begin_account();
 }
 void CableSystem::control(std::int32_t body, const BodyControl& control) {
-  impl_->state.controls[body] = control;
-  impl_->energies.forget_audit();
-  if (impl_->contacts.depend_on_controls()) impl_->forces.forget();
+  if (impl_->sector && impl_->sector->is_active()) impl_->sector->control(body, control);
+  Impl& s = impl_->running();
+  s.state.controls[body] = control;
+  s.energies.forget_audit();
+  if (s.contacts.depend_on_controls()) s.forces.forget();
 }
 void CableSystem::wind(std::int32_t rope, const RopeMotion& motion) {
   if (const auto ring_rope = impl_->ring_rope(rope)) {
     impl_->ring_ropes.wind(*ring_rope, motion);
+  } else if (impl_->sector && impl_->sector->is_active()) {
+    impl_->sector->wind(rope, motion);
   } else {
     impl_->elements.ropes().wind(rope, motion);
   }
 }
 void CableSystem::set_wrinkling_moment(std::int32_t material, double moment) {
-  Impl& s = *impl_;
+  Impl& s = impl_->running();
   if (moment == s.forces.wrinkling().moment(material)) return;
+  if (&s != impl_.get()) return impl_->sector->set_wrinkling_moment(material, moment);
   const double before = s.forces.wrinkling_energy();
   s.forces.wrinkling().set_moment(material, moment);
   s.forces.forget();
@@ -356,19 +407,22 @@ bool CableSystem::is_held(std::int32_t body) const {
   return lock != nullptr && lock->carried() == body;
 }
 void CableSystem::set_friction(double coefficient) {
-  if (coefficient == impl_->contacts.friction()) return;
-  impl_->contacts.set_friction(coefficient);
-  impl_->forces.forget();
+  Impl& s = impl_->running();
+  if (coefficient == s.contacts.friction()) return;
+  s.contacts.set_friction(coefficient);
+  s.forces.forget();
 }
 
-const Eigen::Vector3d& CableSystem::contact_impulse(std::int32_t body) const { return impl_->contacts.impulse(body); }
+const Eigen::Vector3d& CableSystem::contact_impulse(std::int32_t body) const {
+  return impl_->running().contacts.impulse(body);
+}
 const Eigen::Vector3d& CableSystem::body_contact_impulse(std::int32_t body) const {
-  return impl_->contacts.body_impulse(body);
+  return impl_->running().contacts.body_impulse(body);
 }
 BodyContactSum CableSystem::body_contacts() const {
-  const BodyContact* contacts = impl_->contacts.of_bodies();
+  const BodyContact* contacts = impl_->running().contacts.of_bodies();
   if (contacts == nullptr) return {};
-  const BodyContact::Power power = contacts->power(impl_->state.bodies);
+  const BodyContact::Power power = contacts->power(impl_->running().state.bodies);
   return {contacts->count(),
           contacts->total_normal_force(),
           contacts->deepest_penetration(),
@@ -377,61 +431,60 @@ BodyContactSum CableSystem::body_contacts() const {
           power.friction};
 }
 CordContactSum CableSystem::cord_contacts() const {
-  const CordContact* contacts = impl_->contacts.of_cords();
+  const CordContact* contacts = impl_->running().contacts.of_cords();
   if (contacts == nullptr) return {};
   return {contacts->count(), contacts->total_normal_force(), contacts->deepest_part().part};
 }
-double CableSystem::penetration() const { return impl_->contacts.with_bodies().deepest_penetration(); }
-double CableSystem::contact_squared_phase() const { return impl_->contacts.with_bodies().largest_squared_phase(); }
-double CableSystem::contact_load() { return impl_->contacts.largest_load(); }
-double CableSystem::contact_step() const { return impl_->contacts.reference_step(); }
-void CableSystem::note_shortened_step() { ++impl_->safeguards.shortened_steps; }
-const SafeguardCounts& CableSystem::safeguards() const { return impl_->safeguards; }
+double CableSystem::penetration() const { return impl_->running().contacts.with_bodies().deepest_penetration(); }
+double CableSystem::contact_squared_phase() const {
+  return impl_->running().contacts.with_bodies().largest_squared_phase();
+}
+double CableSystem::contact_load() { return impl_->running().contacts.largest_load(); }
+double CableSystem::contact_step() const { return impl_->running().contacts.reference_step(); }
+void CableSystem::note_shortened_step() { ++impl_->running().safeguards.shortened_steps; }
+const SafeguardCounts& CableSystem::safeguards() const { return impl_->running().safeguards; }
 std::string CableSystem::deepest_contact() const {
-  const auto contact = impl_->contacts.with_bodies().deepest_contact();
+  auto contact = impl_->running().contacts.with_bodies().deepest_contact();
   if (!contact) return "";
+  if (&impl_->running() != impl_.get()) contact->element = impl_->sector->element_of(contact->element);
   const Model& model = impl_->model;
   return fmt::format("{} (element {}) is pressed {:.2g} m into the {}",
                      model.threads[model.elements[contact->element].thread], contact->element, contact->penetration,
                      model.bodies[contact->body].name);
 }
-ContactDepths CableSystem::take_deepest_contacts() { return std::exchange(impl_->contacts.depths(), {}); }
-
-void CableSystem::visit_state(const std::function<void(double&)>& visit) { impl_->visit_state(visit); }
-
-EnergyAudit CableSystem::audit() {
-  if (!impl_->energies.is_audited()) impl_->keep_forces_current();
-  return impl_->energies.audit();
+ContactDepths CableSystem::take_deepest_contacts() {
+  ContactDepths depths = std::exchange(impl_->running().contacts.depths(), {});
+  if (&impl_->running() == impl_.get()) return depths;
+  impl_->sector->note_change();
+  for (ContactDepth* depth : {&depths.pressed, &depths.overlapping}) {
+    depth->element = impl_->sector->element_of(depth->element);
+  }
+  return depths;
 }
 
+void CableSystem::visit_state(const std::function<void(double&)>& visit) {
+  if (impl_->sector) {
+    impl_->sector->visit_state(visit);
+  } else {
+    impl_->visit_state(visit);
+  }
+}
+
+EnergyAudit CableSystem::audit() { return impl_->running().audit(); }
+
 double CableSystem::aliased_energy(double dt) {
-  impl_->keep_forces_current();
-  return impl_->integrator.aliased_energy(impl_->integrator.velocities_after(0.5 * dt));
+  Impl& s = impl_->running();
+  s.keep_forces_current();
+  const double energy = s.integrator.aliased_energy(s.integrator.velocities_after(0.5 * dt));
+  return s.ties ? s.ties->sectors() * energy : energy;
 }
 
 EnergyAudit CableSystem::capture(Snapshot& snapshot) {
-  const Impl& s = *impl_;
-  const EnergyAudit energies = audit();
-  snapshot.time = s.state.time;
-  snapshot.step = s.state.steps;
-  const CoordinateLayout& layout = s.state.layout;
-  copy_coordinates(s.state.coordinates, layout.position(0), layout.node_count, snapshot.positions);
-  copy_coordinates(s.state.velocities, layout.position(0), layout.node_count, snapshot.velocities);
-  copy_coordinates(s.state.coordinates, layout.gradient(0), layout.gradient_count, snapshot.gradients);
-  snapshot.tension.resize(static_cast<Eigen::Index>(s.model.elements.size()));
-  snapshot.strain.resize(static_cast<Eigen::Index>(s.model.elements.size()));
-  for (std::size_t i = 0; i < s.model.elements.size(); ++i) {
-    snapshot.tension[static_cast<Eigen::Index>(i)] = s.element_states.tension(i);
-    snapshot.strain[static_cast<Eigen::Index>(i)] = s.element_states.strain(i);
-  }
-  snapshot.rope_element_length.clear();
-  for (std::int32_t rope = 0; rope < s.elements.ropes().rope_count(); ++rope) {
-    snapshot.rope_element_length.push_back(s.elements.ropes().element_length(rope));
-  }
-  snapshot.bodies.clear();
-  for (const DynamicBody& body : s.state.bodies) snapshot.bodies.push_back(body.state());
-  snapshot.contacts = s.contacts.with_bodies().contacts();
-  if (const BodyContact* of_bodies = s.contacts.of_bodies()) of_bodies->append_points(snapshot.contacts);
+  Impl& s = impl_->running();
+  if (&s == impl_.get()) return s.capture(snapshot);
+  Snapshot of_sector;
+  const EnergyAudit energies = s.capture(of_sector);
+  impl_->sector->unfold(of_sector, snapshot);
   return energies;
 }
 

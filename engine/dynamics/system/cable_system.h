@@ -36,6 +36,16 @@ enum class ElementEvaluation {
 struct SystemOptions {
   ElementEvaluation evaluation = ElementEvaluation::mean_strain;
   int threads = 1;
+  // Number of equal sectors around the y axis, numbered as model/sector_model.h says. While the system is symmetric,
+  // one of them is stepped for all. 0: the whole system is stepped always.
+  int sectors = 0;
+};
+
+// Whether one sector stands for all.
+struct SymmetryStatus {
+  bool is_symmetric = false;
+  double since = 0;    // s
+  std::string reason;  // why not, one clause; empty: it does, or was not asked to
 };
 
 // Energy (J) dissipated since the start. No part ever decreases.
@@ -98,6 +108,7 @@ class CableSystem {
   std::int64_t steps() const;
   double helpers_cpu_seconds() const;  // processor time (s) of the threads that help the caller's thread
   ElementEvaluation evaluation() const;
+  SymmetryStatus symmetry() const;
 
   // Largest stable step at the present rope lengths, without a safety factor. Mean-strain elements are taken as
   // straight.
@@ -187,6 +198,7 @@ class CableSystem {
   EnergyAudit capture(Snapshot& snapshot);
 
  private:
+  friend class SymmetricSector;
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

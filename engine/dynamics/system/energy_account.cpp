@@ -15,24 +15,24 @@ void EnergyAccount::begin() {
 void EnergyAccount::before_step(double kick) {
   power_before_ = contacts_.power_before();
   fed_to_contacts_ = contacts_.fed_power();
-  spent_.at_hinges += kick * forces_.hinge_power();
+  spent_.at_hinges += sectors_ * (kick * forces_.hinge_power());
   ropes_change_ = elements_.ropes().energy_change(state_.coordinates, state_.velocities);
   if (forces_.tide()) tidal_before_ = tidal_power(state_.velocities);
 }
 
 void EnergyAccount::after_coordinates(double kick) {
-  input_ += kick * (forces_.element_power().fed + fed_to_contacts_);
-  spent_.in_cords += kick * (forces_.element_power().dissipated + forces_.line_power());
+  input_ += sectors_ * (kick * (forces_.element_power().fed + fed_to_contacts_));
+  spent_.in_cords += sectors_ * (kick * (forces_.element_power().dissipated + forces_.line_power()));
   ropes_change_ += elements_.ropes().energy_change(state_.coordinates, state_.velocities);
-  input_ -= 0.5 * ropes_change_;
+  input_ -= sectors_ * (0.5 * ropes_change_);
   if (forces_.tide()) tidal_ += 0.5 * kick * (tidal_before_ + tidal_power(state_.velocities));
 }
 
 // Neither energy is negative, apart from round-off.
 void EnergyAccount::after_bodies(double kick) {
   const SystemContacts::Power after = contacts_.power(state_.velocities, state_.bodies);
-  spent_.in_contacts += std::max(0.5 * kick * (power_before_.damping + after.damping), 0.0);
-  spent_.by_friction += std::max(0.5 * kick * (power_before_.friction + after.friction), 0.0);
+  spent_.in_contacts += sectors_ * std::max(0.5 * kick * (power_before_.damping + after.damping), 0.0);
+  spent_.by_friction += sectors_ * std::max(0.5 * kick * (power_before_.friction + after.friction), 0.0);
   for (std::size_t b = 0; forces_.tide() && b < state_.bodies.size(); ++b) {
     tidal_ += kick * tidal_power(b, state_.bodies[b].mean_motion());
   }
@@ -71,7 +71,7 @@ double EnergyAccount::kinetic_energy(const CoordinateVectors& velocity) const {
     }
     energy += state_.bodies[b].kinetic_energy_after(forces_.wrenches()[b], state_.controls[b], 0.5 * state_.last_step);
   }
-  return energy + integrator_.kinetic_energy(velocity);
+  return energy + sectors_ * integrator_.kinetic_energy(velocity);
 }
 
 // Power at the velocities that the present forces lead to.
@@ -104,10 +104,10 @@ EnergyAudit EnergyAccount::make_audit() {
   RopeDynamics& ropes = elements_.ropes();
   const RopeDynamics::FlowEnergy flow = ropes.flow_energy(state_.coordinates, velocity);
   EnergyAudit result;
-  result.kinetic = kinetic_energy(velocity) + flow.kinetic;
-  result.aliased = integrator_.aliased_energy(velocity);
-  result.strain =
-      forces_.line_energy() + forces_.with_hinge_energy(forces_.wrinkling_energy() + element_states_.strain_energy());
+  result.kinetic = kinetic_energy(velocity) + sectors_ * flow.kinetic;
+  result.aliased = sectors_ * integrator_.aliased_energy(velocity);
+  result.strain = forces_.line_energy() +
+                  sectors_ * forces_.with_hinge_energy(forces_.wrinkling_energy() + element_states_.strain_energy());
   if (!ring_ropes_.empty()) result.strain += ring_ropes_.energy();
   const SystemContacts::Power before = contacts_.power_before(), after = contact_power_after(state_.last_step);
   // Energy of the first half of the step that the forces act for, in which the power has changed by half of its change.
@@ -115,14 +115,15 @@ EnergyAudit EnergyAccount::make_audit() {
   const auto first_half = [half_kick](double power, double later) {
     return std::clamp(half_kick * (0.75 * power + 0.25 * later), 0.0, std::max(half_kick * (power + later), 0.0));
   };
-  result.contact = contacts_.stored_energy();
+  result.contact = sectors_ * contacts_.stored_energy();
   result.spent = spent_;
-  result.spent.in_cords += half_kick * (forces_.element_power().dissipated + forces_.line_power());
-  result.spent.at_hinges += half_kick * forces_.hinge_power();
-  result.spent.in_contacts += first_half(before.damping, after.damping);
-  result.spent.by_friction += first_half(before.friction, after.friction);
-  result.input = input_ + half_kick * (forces_.element_power().fed + contacts_.fed_power()) + forces_.load_work() +
-                 flow.work - 0.5 * ropes.energy_change(state_.coordinates, state_.velocities) - initial_input_;
+  result.spent.in_cords += sectors_ * (half_kick * (forces_.element_power().dissipated + forces_.line_power()));
+  result.spent.at_hinges += sectors_ * (half_kick * forces_.hinge_power());
+  result.spent.in_contacts += sectors_ * first_half(before.damping, after.damping);
+  result.spent.by_friction += sectors_ * first_half(before.friction, after.friction);
+  result.input = input_ + sectors_ * (half_kick * (forces_.element_power().fed + contacts_.fed_power())) +
+                 forces_.load_work() + sectors_ * flow.work -
+                 sectors_ * (0.5 * ropes.energy_change(state_.coordinates, state_.velocities)) - initial_input_;
   if (forces_.tide()) {
     result.tidal = tidal_ + tidal_work_of_half(velocity);
     result.input += result.tidal;

@@ -18,17 +18,18 @@ namespace netpocket {
 
 class EnergyAccount {
  public:
-  // All must outlive this object.
+  // All must outlive this object. `sectors`: number of sectors of which the model is one; the account is of all.
   EnergyAccount(CableElements& elements, const CableState& state, const RingRopes& ring_ropes,
                 const SystemContacts& contacts, const SystemForces& forces, ElementStates& element_states,
-                Leapfrog& integrator)
+                Leapfrog& integrator, int sectors = 1)
       : elements_(elements),
         state_(state),
         ring_ropes_(ring_ropes),
         contacts_(contacts),
         forces_(forces),
         element_states_(element_states),
-        integrator_(integrator) {}
+        integrator_(integrator),
+        sectors_(sectors) {}
 
   // Begins the account at the present state, whose forces must be known. May be called again before the first step.
   void begin();
@@ -71,6 +72,7 @@ class EnergyAccount {
   const SystemForces& forces_;
   ElementStates& element_states_;
   Leapfrog& integrator_;
+  double sectors_;
   SpentEnergy spent_;
   double input_ = 0;                               // J, without loads
   double initial_energy_ = 0, initial_input_ = 0;  // J

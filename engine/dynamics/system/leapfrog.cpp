@@ -21,12 +21,13 @@ update_kernel::Kernel update() {
 }  // namespace
 
 Leapfrog::Leapfrog(const Model& model, const CableElements& elements, const CableState& state, SystemForces& forces,
-                   const SystemThreads& threads, const double* weights)
+                   const SystemThreads& threads, const double* weights, const TiedCoordinates* ties)
     : elements_(elements),
       state_(state),
       forces_(forces),
       threads_(threads),
       weights_(weights),
+      ties_(ties),
       unmoved_(state.layout.size()) {
   if (!elements.is_full()) return;
   consistent_mass_.emplace(model, state.layout, elements.mass(), elements.ropes().massive_coordinates());
@@ -39,7 +40,11 @@ Leapfrog::Leapfrog(const Model& model, const CableElements& elements, const Cabl
 std::optional<update_kernel::Fastest> Leapfrog::move(CoordinateVectors& v, CoordinateVectors& x, double kick,
                                                      double drift) {
   if (const TidalField* tide = forces_.tide()) tide->kick(v, kick);
-  if (!consistent_mass_) return kick_and_drift(v, x, elements_.inverse_mass(), kick, drift);
+  if (!consistent_mass_) {
+    const auto fastest = kick_and_drift(v, x, elements_.inverse_mass(), kick, drift);
+    if (ties_ != nullptr) ties_->follow(x, v);
+    return fastest;
+  }
   collected_.set_zero();
   kick_and_drift(collected_, unmoved_, unit_mass_, 1, 0);
   consistent_mass_->kick_and_drift(collected_, elements_.mass(), kick, drift, v, x);

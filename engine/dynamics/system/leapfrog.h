@@ -22,7 +22,7 @@ class Leapfrog {
   // All must outlive this object. `weights`: of coordinates, for the speeds that it finds (update_kernel.h). Throws
   // std::invalid_argument if the consistent mass matrix of the full evaluation is singular.
   Leapfrog(const Model& model, const CableElements& elements, const CableState& state, SystemForces& forces,
-           const SystemThreads& threads, const double* weights);
+           const SystemThreads& threads, const double* weights, const TiedCoordinates* ties = nullptr);
 
   // Time (s) over which the present forces act in a step of `dt` (s). At the start velocities do not lag.
   double kick(double dt) const { return 0.5 * (state_.last_step + dt); }
@@ -54,6 +54,7 @@ class Leapfrog {
   SystemForces& forces_;
   const SystemThreads& threads_;
   const double* weights_;
+  const TiedCoordinates* ties_;
   std::optional<ConsistentMass> consistent_mass_;  // of the full evaluation
   AlignedVector<double> unit_mass_;
   CoordinateVectors collected_;  // forces, for the consistent mass

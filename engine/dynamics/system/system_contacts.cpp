@@ -5,7 +5,7 @@
 namespace netpocket {
 
 SystemContacts::SystemContacts(const Model& model, const CableElements& elements, const CableState& state,
-                               const SystemThreads& threads)
+                               const SystemThreads& threads, int sectors)
     : elements_(elements),
       state_(state),
       threads_(threads),
@@ -14,6 +14,7 @@ SystemContacts::SystemContacts(const Model& model, const CableElements& elements
       contacted_(state.layout.size()),
       impulses_(state.bodies.size(), Eigen::Vector3d::Zero()),
       body_impulses_(impulses_) {
+  with_bodies_.set_sectors(sectors);
   if (model.contact.cords) {
     of_cords_ = std::make_unique<CordContact>(model, state.layout, state.coordinates, elements.inverse_mass());
   }
@@ -41,6 +42,7 @@ void SystemContacts::forget_candidates() {
 
 void SystemContacts::look_around(TravelledWay& travelled, double dt) {
   const TravelledWay::Ways ways = travelled.take();
+  last_way_ = ways.cords;
   with_bodies_.note_motion(ways.cords, ways.bodies);
   if (!of_cords_) return;
   of_cords_->note_way(ways.cords);
@@ -53,6 +55,11 @@ void SystemContacts::find(double cord_speed, double dt) {
                     contacted_);
   if (of_cords_)
     of_cords_->find(state_.coordinates, state_.velocities, elements_.lengths(), state_.last_step, dt, contacted_);
+}
+
+void SystemContacts::share_among(TiedCoordinates& ties) {
+  if (contacted_.is_empty()) return ties.choose_none();
+  ties.choose([this](std::span<const std::int32_t> copies) { return contacted_.share_among(copies); });
 }
 
 void SystemContacts::add_body_forces(const StepTimes& times, std::vector<Wrench>& wrenches) {

@@ -24,7 +24,7 @@ class SystemContacts {
 
   // All must outlive this object.
   SystemContacts(const Model& model, const CableElements& elements, const CableState& state,
-                 const SystemThreads& threads);
+                 const SystemThreads& threads, int sectors = 1);
 
   double friction() const { return friction_; }
   void set_friction(double coefficient);
@@ -54,6 +54,10 @@ class SystemContacts {
       of_cords_->add_forces(state_.velocities, contacted_, elements_.inverse_mass(), times, applied);
     }
   }
+  // In a model that is one sector: copies of a node share the contacts on all of them. To be called after find().
+  void share_among(TiedCoordinates& ties);
+  // Upper bound (m) of the way of any point of a cord, by which look_around() has been told that they have moved.
+  double last_way() const { return last_way_; }
   // Forces between bodies. `wrenches` must hold all other forces, whose motion these depend on.
   void add_body_forces(const StepTimes& times, std::vector<Wrench>& wrenches);
   // Whether what controls bodies takes part in the present forces.
@@ -99,6 +103,7 @@ class SystemContacts {
   std::unique_ptr<CordContact> of_cords_;
   std::unique_ptr<BodyContact> of_bodies_;
   ContactedCoordinates contacted_;
+  double last_way_ = 0;
   std::vector<Eigen::Vector3d> impulses_, body_impulses_;
   ContactDepths depths_;
 };

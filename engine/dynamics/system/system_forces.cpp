@@ -40,7 +40,7 @@ std::optional<PairedElements> paired(const CableElements& elements, const CableS
 
 SystemForces::SystemForces(const Model& model, CableElements& elements, const CableState& state,
                            const RingRopes& ring_ropes, SystemContacts& contacts, TravelledWay& travelled,
-                           const SystemThreads& threads)
+                           const SystemThreads& threads, TiedCoordinates* ties)
     : model_(model),
       elements_(elements),
       state_(state),
@@ -48,6 +48,7 @@ SystemForces::SystemForces(const Model& model, CableElements& elements, const Ca
       contacts_(contacts),
       travelled_(travelled),
       threads_(threads),
+      ties_(ties),
       pairs_(paired(elements, state, threads)),
       assembly_(elements.batch_elements(), state.layout.size(), threads.count(),
                 pairs_ ? pairs_->is_middle() : std::span<const std::uint8_t>()),
@@ -120,8 +121,17 @@ void SystemForces::compute(double dt, bool with_elements) {
   } else {
     add_others();
   }
-  contacts_.add_cord_forces(
-      times, [this](auto blocks, double* rows) { sum(blocks, rows); }, applied_, wrenches_);
+  const auto sum_forces = [this](auto blocks, double* rows) { sum(blocks, rows); };
+  if (ties_ != nullptr) {
+    contacts_.share_among(*ties_);
+    ties_->share(sum_forces, applied_);
+    ties_->begin_applied(applied_);
+  }
+  contacts_.add_cord_forces(times, sum_forces, applied_, wrenches_);
+  if (ties_ != nullptr) {
+    ties_->share_applied(applied_);
+    if (!are_waiting_) lead_ties();
+  }
   if (tide_) tide_->compute();
   for (std::size_t b = 0; b < wrenches_.size(); ++b) {
     add_attachments(b);
@@ -132,6 +142,11 @@ void SystemForces::compute(double dt, bool with_elements) {
   version_ = state_.version;
   step_ = dt;
   ++computations_;
+}
+
+// Leaders must know what their followers bear before they move, but not before that.
+void SystemForces::lead_ties() {
+  ties_->lead([this](auto blocks, double* rows) { sum(blocks, rows); }, applied_);
 }
 
 template <typename Meanwhile>
@@ -179,7 +194,9 @@ void SystemForces::add_hinges(double kick) {
       hinge_safeguards_.loose_hinges += block.is_loose[lane] > 0 ? 1 : 0;
     }
   }
-  for (std::size_t b = 0; b < wrenches_.size(); ++b) wrenches_[b].torque += hinge_torques_[b].total();
+  for (std::size_t b = 0; b < wrenches_.size(); ++b) {
+    wrenches_[b].torque += of_all_sectors({{0, 0, 0}, hinge_torques_[b].total()}, sectors()).torque;
+  }
 }
 
 void SystemForces::add_lines() {
@@ -210,7 +227,7 @@ void SystemForces::add_attachments(std::size_t body) {
     force.add(attachment.coordinate, wrench.force);
     torque.add(attachment.coordinate, wrench.torque);
   }
-  wrenches_[body] += Wrench{force.total(), torque.total()};
+  wrenches_[body] += of_all_sectors({force.total(), torque.total()}, sectors());
 }
 
 void SystemForces::add_gravity(std::size_t body) {
@@ -245,12 +262,14 @@ update_kernel::Fastest SystemForces::move(update_kernel::UpdateView motion, upda
     note(sums.fastest);
   }
   sum_powers();
+  are_waiting_ = false;
+  if (ties_ != nullptr) lead_ties();
+  motion.loaded = applied_.loaded();
   note(update(motion, 0, assembly_.block_count() - pairs_->middle_count(), kick, drift));
   unmoved_.clear();
   for (const std::int32_t block : pairs_->unmoved_middles()) unmoved_.push_back(assembly_.block(block));
   motion.blocks = unmoved_.data();
   note(update(motion, 0, static_cast<int>(unmoved_.size()), kick, drift));
-  are_waiting_ = false;
   return fastest;
 }
 
@@ -291,6 +310,7 @@ double SystemForces::load_work() const {
   for (std::int32_t coordinate = 0; loads != nullptr && coordinate < state_.layout.size(); ++coordinate) {
     work += loads->get(coordinate).dot(state_.coordinates.get(coordinate));
   }
+  work *= sectors();
   for (std::size_t b = 0; b < wrenches_.size(); ++b) {
     work += model_.bodies[b].mass * model_.gravity.dot(state_.bodies[b].centre());
   }

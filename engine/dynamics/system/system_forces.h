@@ -32,7 +32,8 @@ class SystemForces {
  public:
   // All must outlive this object.
   SystemForces(const Model& model, CableElements& elements, const CableState& state, const RingRopes& ring_ropes,
-               SystemContacts& contacts, TravelledWay& travelled, const SystemThreads& threads);
+               SystemContacts& contacts, TravelledWay& travelled, const SystemThreads& threads,
+               TiedCoordinates* ties = nullptr);
 
   // Computes the forces for a next step of `dt` (s): always, or unless they are known for this state and step. Forces
   // computed for a snapshot are kept, so that the next step need not compute them again.
@@ -73,13 +74,14 @@ class SystemForces {
   // `energy` (J) plus that of the hinges.
   double with_hinge_energy(double energy) const;
   double line_energy() const;  // J
-  // Work (J) of gravity and constant loads, up to an additive constant.
+  // Work (J) of gravity and constant loads, up to an additive constant. Of all sectors.
   double load_work() const;
 
  private:
   void compute(double dt, bool with_elements);
   void collect_hinges();
   void sum_powers();
+  void lead_ties();
   template <typename Meanwhile>
   void add_elements(const Meanwhile& meanwhile);
   void add_hinges(double kick);
@@ -87,6 +89,7 @@ class SystemForces {
   void add_attachments(std::size_t body);
   void add_gravity(std::size_t body);
   void sum(std::span<const std::int32_t> coordinate_blocks, double* rows);
+  int sectors() const { return ties_ != nullptr ? ties_->sectors() : 1; }
 
   const Model& model_;
   CableElements& elements_;
@@ -95,6 +98,7 @@ class SystemForces {
   SystemContacts& contacts_;
   TravelledWay& travelled_;
   const SystemThreads& threads_;
+  TiedCoordinates* ties_;  // of a model that is one sector; null: none
 
   std::optional<PairedElements> pairs_;  // where they are moved as their forces are computed
   Assembly assembly_;

@@ -104,6 +104,7 @@ CaptureSystem build(const Scenario& scenario) {
   const PocketChannels channels(pocket);
   system.spacecraft = pocket.spacecraft;
   system.target = pocket.target;
+  if (pocket.hub < 0) system.sectors = scenario.pocket.rod_count;
   system.structure = std::move(pocket.structure);
   const auto events = has_events(scenario) ? times : nullptr;
   const Deflation* deflation =

@@ -7255,6 +7255,14 @@
         <translation>仿真在达到该步数后结束，无论进行到何处；0：无上限。用于批量仿真，其中偶尔有一次捕获所需时间是其他捕获的上千倍</translation>
     </message>
     <message>
+        <source>Symmetry</source>
+        <translation>对称性</translation>
+    </message>
+    <message>
+        <source>auto: while all sectors of a pocket are alike and nothing acts across its axis, one sector is computed for all, in less than half the time and with the same result but for round-off; off: the whole is computed always</source>
+        <translation>auto：只要网袋的各扇区完全相同、且没有横向于轴线的作用，就只计算一个扇区来代表全部扇区，耗时不到一半，结果除舍入误差外相同；off：始终计算整体</translation>
+    </message>
+    <message>
         <source>A hub with the rods that the spacecraft lets go, and the line on which it tows.</source>
         <translation>承载充气杆、由服务航天器释放的中心盘，以及拖曳它的系绳。</translation>
     </message>

@@ -119,8 +119,8 @@ TEST(ParameterTable, DeclaresEveryMember) {
     EXPECT_EQ(count("orbit"), 9u);
   }
   {
-    [[maybe_unused]] const auto& [a, b, c, e, f, g, h, i, j] = solver;
-    EXPECT_EQ(count("solver"), 9u);
+    [[maybe_unused]] const auto& [a, b, c, e, f, g, h, i, j, k] = solver;
+    EXPECT_EQ(count("solver"), 10u);
   }
   {
     [[maybe_unused]] const auto& [a, b] = output;
