@@ -206,7 +206,7 @@ struct Simulation::Impl {
     limiter.note_penetration(system.penetration());
     const bool has_stopped = stops() > stops_before;
     if (has_stopped) limiter.note_blow();
-    if (limiter.is_for_load()) limiter.note_load(system.contact_load());
+    if (limiter.is_for_load()) limiter.note_springs(system.contact_load(), system.contact_compression());
     const bool is_resolved = limiter.note_squared_phase(system.contact_squared_phase()) && !has_stopped;
     if (++steps_in_interval == interval_steps) {
       end_interval();

@@ -456,6 +456,12 @@ contact_kernel::ContactPower ContactSolver::dissipated_power(const CoordinateVec
   return total;
 }
 
+double ContactSolver::largest_compression() const {
+  double largest = 0;
+  for_each_contact([&](const ContactBlock& block, int lane) { largest = std::max(largest, block.penetration[lane]); });
+  return largest;
+}
+
 double ContactSolver::largest_load(const std::vector<DynamicBody>& bodies) {
   double largest = 0;
   for_each_contact([&](const ContactBlock& block, int lane) {

@@ -91,6 +91,8 @@ class ContactSolver {
   bool are_springs_plain() const;
   const Eigen::Vector3d& force_on(std::int32_t body) const { return body_force_[body]; }
   double deepest_penetration() const { return deepest_penetration_; }  // m
+  // Compression (m) of the spring that is compressed most: the penetration where it begins at the surface.
+  double largest_compression() const;
   // The deepest penetration relative to its cord's radius.
   const ContactDepth& deepest_part() const { return deepest_part_; }
   // Contacts that the present forces stop at their greatest depth.

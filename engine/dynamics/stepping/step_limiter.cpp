@@ -5,8 +5,8 @@
 namespace netpocket {
 namespace {
 
-// Penetrations (m): steps are shortened above kDeep and grow again below kShallow. A run is given up above kDeepest if
-// its steps are already the shortest.
+// Penetrations (m): steps are shortened above kDeep, unless stiffer springs are compressed by less than kShallow, and
+// grow again below kShallow. A run is given up above kDeepest if its steps are already the shortest.
 constexpr double kDeep = 0.015, kShallow = 0.004, kDeepest = 0.05;
 // Factor on the steps after an interval with deep contacts. With the springs that shorter steps allow, penetrations
 // become a third as deep.
@@ -41,10 +41,11 @@ bool StepLimiter::note_squared_phase(double squared_phase) {
 }
 
 void StepLimiter::follow_contacts() {
-  const double deepest = std::exchange(deepest_, 0.0), load = std::exchange(load_, kUnknownLoad);
+  const double deepest = std::exchange(deepest_, 0.0), load = std::exchange(load_, kUnknown);
+  const double compression = std::exchange(compression_, kUnknown);
   const bool has_blow = std::exchange(has_blow_, false), exhausted = for_load_ <= kLeastForContacts;
   overload_ = exhausted && deepest > kDeepest ? deepest : 0;
-  if (deepest > kDeep) {
+  if (deepest > kDeep && compression > kShallow) {
     for_load_ = std::max(kLeastForContacts, kShortening * for_load_);
   } else if (deepest < kShallow || (!has_blow && load < kBorne)) {
     for_load_ = std::min(1.0, for_load_ / kShortening);
@@ -67,8 +68,8 @@ void StepLimiter::follow_energy(double aliased, double exchanged) {
 }
 
 void StepLimiter::visit_state(const std::function<void(double&)>& visit) {
-  for (double* value :
-       {&deepest_, &largest_squared_phase_, &load_, &for_load_, &for_springs_, &for_energy_, &overload_}) {
+  for (double* value : {&deepest_, &largest_squared_phase_, &load_, &compression_, &for_load_, &for_springs_,
+                        &for_energy_, &overload_}) {
     visit(*value);
   }
   double has_blow = has_blow_ ? 1 : 0;

@@ -24,10 +24,13 @@ class StepLimiter {
   void note_penetration(double depth) { deepest_ = std::max(deepest_, depth); }
   // To be called after a step in which contacts were stopped at their greatest depth. Halves the next steps.
   void note_blow();
-  // Whether springs are stiffer than usual because of a load. note_load is then to be told what they bear.
+  // Whether springs are stiffer than usual because of a load. note_springs is then to be told what they bear.
   bool is_for_load() const { return for_load_ < 1; }
-  // Largest force of a spring in the step just made by what the softest springs bear.
-  void note_load(double load) { load_ = load_ < kUnknownLoad ? std::max(load_, load) : load; }
+  // Largest force of a spring in the step just made by what the softest springs bear, and largest compression (m).
+  void note_springs(double load, double compression) {
+    load_ = load_ < kUnknown ? std::max(load_, load) : load;
+    compression_ = compression_ < kUnknown ? std::max(compression_, compression) : compression;
+  }
   // Largest squared phase of a contact's spring in the step just made. If the spring is too stiff, halves the next
   // steps and returns false.
   bool note_squared_phase(double squared_phase);
@@ -52,12 +55,12 @@ class StepLimiter {
   void visit_state(const std::function<void(double&)>& visit);
 
  private:
-  static constexpr double kUnknownLoad = std::numeric_limits<double>::infinity();
+  static constexpr double kUnknown = std::numeric_limits<double>::infinity();
 
-  double deepest_ = 0;                // m, of this interval
-  double largest_squared_phase_ = 0;  // of this interval
-  double load_ = kUnknownLoad;        // likewise
-  bool has_blow_ = false;             // likewise
+  double deepest_ = 0;                               // m, of this interval
+  double largest_squared_phase_ = 0;                 // of this interval
+  double load_ = kUnknown, compression_ = kUnknown;  // likewise
+  bool has_blow_ = false;                            // likewise
   double for_load_ = 1, for_springs_ = 1, for_energy_ = 1;
   double overload_ = 0;  // m
 };

@@ -439,6 +439,9 @@ double CableSystem::penetration() const { return impl_->running().contacts.with_
 double CableSystem::contact_squared_phase() const {
   return impl_->running().contacts.with_bodies().largest_squared_phase();
 }
+double CableSystem::contact_compression() const {
+  return impl_->running().contacts.with_bodies().largest_compression();
+}
 double CableSystem::contact_load() { return impl_->running().contacts.largest_load(); }
 double CableSystem::contact_step() const { return impl_->running().contacts.reference_step(); }
 void CableSystem::note_shortened_step() { ++impl_->running().safeguards.shortened_steps; }

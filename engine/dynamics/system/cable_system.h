@@ -172,6 +172,8 @@ class CableSystem {
   double penetration() const;
   // Largest squared phase of a contact's spring in the last step, dt^2 w k (force_law.h).
   double contact_squared_phase() const;
+  // Largest compression (m) of such a contact's spring. Springs that became stiffer begin below the surface.
+  double contact_compression() const;
   // Largest force of a contact's spring by what the softest springs bear (contact_solver.h).
   double contact_load();
   // Step (s) that the stiffness of contacts is based on; 0 before the first step.

@@ -78,16 +78,30 @@ TEST(StepLimiter, GrowsAgainAfterABlowWhenSoftSpringsBearTheLoad) {
   limiter.note_blow();
   EXPECT_EQ(limiter.factor(), 0.5);
   EXPECT_EQ(limiter.spring_factor(), 0.5);
-  limiter.note_load(0);
+  limiter.note_springs(0, 0);
   stretch(limiter, 0.01);
   EXPECT_EQ(limiter.factor(), 0.5) << "the blow was in this interval";
-  limiter.note_load(0.9);
-  limiter.note_load(0.1);
+  limiter.note_springs(0.9, 2e-3);
+  limiter.note_springs(0.1, 1e-3);
   stretch(limiter, 0.01);
   EXPECT_EQ(limiter.factor(), 0.5) << "a large load";
-  limiter.note_load(0.1);
+  limiter.note_springs(0.1, 1e-3);
   stretch(limiter, 0.01);
   EXPECT_EQ(limiter.factor(), 1);
+}
+
+// Springs that became stiffer leave cords as deep as they were, but bear more.
+TEST(StepLimiter, ShortensNoFurtherWhereStifferSpringsBearTheLoad) {
+  StepLimiter limiter;
+  stretch(limiter, 0.016);
+  const double shortened = limiter.factor();
+  EXPECT_LT(shortened, 1);
+  limiter.note_springs(1, 2e-3);
+  stretch(limiter, 0.016);
+  EXPECT_EQ(limiter.factor(), shortened);
+  limiter.note_springs(2, 8e-3);
+  stretch(limiter, 0.016);
+  EXPECT_LT(limiter.factor(), shortened);
 }
 
 TEST(StepLimiter, ShortensStepsThatLoseSightOfEnergy) {
