@@ -18,8 +18,8 @@ struct DraftBias {
 inline constexpr DraftBias kDraftBias = {
     .captures = 512,
     .probability = {-0.0039062, 0.0066143},
-    .first_contact = {-0.0235225, 0.0172698},
-    .impulse = {-0.0198150, 0.0334995},
+    .first_contact = {-0.0234043, 0.0172759},
+    .impulse = {-0.0232734, 0.0199991},
 };
 
 }  // namespace netpocket
