@@ -8,14 +8,9 @@
 #include "engine/math/symmetric_algebra.h"
 
 namespace netpocket {
-namespace {
-
-constexpr int kChainSegments = CordPolyline::kSegments;
-
-}  // namespace
 
 double ContactSearch::weight_at(const Side& side, int vertex) const {
-  const double part = static_cast<double>(vertex * pieces_) / kChainSegments;
+  const double part = static_cast<double>(vertex * pieces_) / CordPolyline::kSegments;
   return side.is_before ? part : 1 - part;
 }
 
@@ -26,7 +21,7 @@ bool ContactSearch::is_touching(const Meeting& meeting, int segment) const {
 
 void ContactSearch::touch_side(const Meeting& meeting, const Side& side, std::vector<CordTouch>& touches) {
   if (side.piece < 0 || side.piece >= pieces_) return;
-  const int segments = kChainSegments / pieces_, first = side.piece * segments;
+  const int segments = CordPolyline::kSegments / pieces_, first = side.piece * segments;
   bool touches_body = false;
   for (int segment = first; segment < first + segments; ++segment) {
     touches_body = touches_body || is_touching(meeting, segment);
@@ -44,7 +39,7 @@ void ContactSearch::touch_side(const Meeting& meeting, const Side& side, std::ve
 ContactSearch::Ends ContactSearch::add_capsules(const Meeting& meeting, const Side& side,
                                                 std::vector<CordTouch>& touches) {
   constexpr double kAtVertex = 1e-6;  // of a capsule's length
-  const int segments = kChainSegments / pieces_, first = side.piece * segments;
+  const int segments = CordPolyline::kSegments / pieces_, first = side.piece * segments;
   const double radius = radius_[static_cast<std::size_t>(meeting.element)];
   const auto touches_at = [&](int vertex) {
     return meeting.vertices[static_cast<std::size_t>(first + vertex)].distance < radius;
@@ -71,7 +66,8 @@ ContactSearch::Ends ContactSearch::add_capsules(const Meeting& meeting, const Si
 // The vertex at the holder itself waits for the other side (finish_holders).
 void ContactSearch::add_vertices(const Meeting& meeting, const Side& side, const Ends& ends,
                                  std::vector<CordTouch>& touches) {
-  const int segments = kChainSegments / pieces_, first = side.piece * segments, own = side.is_before ? segments : 0;
+  const int segments = CordPolyline::kSegments / pieces_, first = side.piece * segments,
+            own = side.is_before ? segments : 0;
   const double radius = radius_[static_cast<std::size_t>(meeting.element)];
   const auto place_at = [&](int vertex) {
     const SurfacePoint& found = meeting.vertices[static_cast<std::size_t>(first + vertex)];
@@ -81,7 +77,7 @@ void ContactSearch::add_vertices(const Meeting& meeting, const Side& side, const
     const SegmentPlace place = place_at(i);
     const int count = ends[static_cast<std::size_t>(i)] - 1;
     if (count == 0 || !(place.distance < radius)) continue;
-    add_place(meeting, side, {first + i, place, weight_at(side, i), count, 1 + kChainSegments + i}, touches);
+    add_place(meeting, side, {first + i, place, weight_at(side, i), count, 1 + CordPolyline::kSegments + i}, touches);
   }
   const SegmentPlace at_holder = place_at(own);
   if (!(at_holder.distance < radius)) return;

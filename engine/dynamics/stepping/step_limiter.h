@@ -1,14 +1,15 @@
 #pragma once
 // Shortens steps where stability is not enough, by a factor on the stable step:
 // - Load. A load for which springs of contacts are too soft presses cords to their greatest depth, where each step
-//   stops the approach (contact_solver.h). Steps are halved after a stop and shortened while penetrations exceed kDeep.
-//   Shorter steps let springs be stiffer. They grow again when the load has gone.
+//   stops the approach (contact_solver.h). Steps are halved after a stop, and shortened while penetrations exceed kDeep
+//   and springs are compressed by more than kShallow. Shorter steps let springs be stiffer. They grow again when the
+//   load has gone.
 // - Springs. Steps are halved while a spring is too stiff for them, which creates energy. Springs do not follow these
 //   shorter steps.
 // - Short waves. The integrator misses the part (w dt/2)^2 of the energy of a wave of frequency w (aliased energy).
 //   Steps are shortened while that exceeds kAliased of the energy that has been exchanged.
 //
-// Ordinary captures need neither: penetrations stay below 4 mm.
+// Ordinary captures need none of it: penetrations stay below 4 mm.
 //
 // Its decisions depend only on what it is told step by step, not on when a run is observed.
 
