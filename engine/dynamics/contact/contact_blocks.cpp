@@ -1,7 +1,6 @@
 #include "engine/dynamics/contact/contact_blocks.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "engine/math/instruction_set.h"
 #include "engine/math/sector_sum.h"
@@ -28,31 +27,63 @@ const Kernels& kernels() {
 
 }  // namespace
 
-ContactBlock& ContactBlocks::insert(std::size_t index) {
-  append() = ContactBlock{};
-  const auto place = blocks_.begin() + static_cast<std::ptrdiff_t>(index);
-  const auto end = blocks_.begin() + static_cast<std::ptrdiff_t>(count_);
-  std::rotate(place, end - 1, end);
-  return *place;
+namespace {
+
+// Contacts of this many lanes or more are left in the lanes of their elements. Fewer are gathered.
+constexpr std::ptrdiff_t kFullBlock = kBlockSize / 2;
+
+// One of the touches of a block of elements.
+struct OrderedTouch {
+  std::int32_t part, place, lane;  // of its first element
+  std::size_t index;               // among all touches
+  auto operator<=>(const OrderedTouch&) const = default;
+};
+
+std::int32_t element_block(const CordTouch& touch) { return touch.first_element / kBlockSize; }
+
+std::vector<OrderedTouch> in_order(std::span<const CordTouch> touches, std::size_t first) {
+  std::vector<OrderedTouch> result;
+  for (std::size_t i = first; i < touches.size() && element_block(touches[i]) == element_block(touches[first]); ++i) {
+    result.push_back({touches[i].part, touches[i].first_place, touches[i].first_element % kBlockSize, i});
+  }
+  std::ranges::sort(result);
+  return result;
 }
 
-std::size_t open_blocks(std::span<const CordTouch> touches, std::int32_t body, ContactBlocks& contacts) {
-  const std::size_t first = contacts.size();
-  for (const CordTouch& touch : touches) {
-    const auto comes_before = [&](const ContactBlock& block) {
-      return std::pair(block.first_part, block.first_place) < std::pair(touch.part, touch.first_place);
-    };
-    std::size_t place = first;
-    while (place != contacts.size() && comes_before(contacts[place])) ++place;
-    const bool is_open = place != contacts.size() && contacts[place].first_part == touch.part &&
-                         contacts[place].first_place == touch.first_place;
-    if (is_open) continue;
-    ContactBlock& block = contacts.insert(place);
-    block.body = body;
-    block.first_part = touch.part;
-    block.first_place = touch.first_place;
+}  // namespace
+
+void lay_out(std::span<const CordTouch> touches, std::int32_t body, ContactBlocks& contacts,
+             std::vector<std::int32_t>& places) {
+  const std::size_t first_place = places.size();
+  places.resize(first_place + touches.size());
+  const auto enter = [&](const OrderedTouch& touch, int lane) {
+    const std::size_t block = contacts.size() - 1;
+    contacts[block].used |= 1U << lane;
+    contacts[block].body = body;
+    places[first_place + touch.index] = static_cast<std::int32_t>(block) * kBlockSize + lane;
+  };
+  int next_lane = kBlockSize;  // of the last block; kBlockSize: it takes no more
+  for (std::size_t first = 0; first < touches.size();) {
+    const std::vector<OrderedTouch> ordered = in_order(touches, first);
+    first += ordered.size();
+    for (auto alike = ordered.begin(); alike != ordered.end();) {
+      const auto end = std::find_if(alike, ordered.end(), [&](const OrderedTouch& touch) {
+        return touch.part != alike->part || touch.place != alike->place;
+      });
+      const bool is_full = end - alike >= kFullBlock;
+      if (is_full) {
+        contacts.append_empty();
+        next_lane = kBlockSize;
+      }
+      for (; alike != end; ++alike) {
+        if (!is_full && next_lane == kBlockSize) {
+          contacts.append_empty();
+          next_lane = 0;
+        }
+        enter(*alike, is_full ? alike->lane : next_lane++);
+      }
+    }
   }
-  return first;
 }
 
 namespace {
@@ -102,8 +133,6 @@ void collect_elements(const TouchBlock& touch, const ContactSearch& search, doub
 void place_touches(const TouchBlock& touch, std::int32_t body, const ContactSearch& search, double body_mass,
                    const ElementBatch& batch, ContactLaws& laws, ContactBlock& contacts) {
   contacts.body = body;
-  contacts.first_part = 0;
-  contacts.first_place = touch.place;
   contacts.used = touch.used;
   contacts.feeds = false;
   std::ranges::copy(touch.element, contacts.element);

@@ -2,13 +2,15 @@
 // Contacts of cords with bodies in blocks of eight, and what these exert on coordinates and bodies. Internal to
 // ContactSolver.
 //
-// A contact is in the lane of its element. The lanes of a block of elements mostly act on whole blocks of coordinates
-// (the eight sectors). So most blocks of contacts are read and added without gathering.
+// Where eight sectors touch a body alike, a contact is in the lane of its element. The lanes of a block of elements
+// mostly act on whole blocks of coordinates (the eight sectors). So these blocks of contacts are read and added without
+// gathering. Contacts that are not alike fill the lanes of blocks one after the other.
 //
-// Order. Contacts of a coordinate come in the order of blocks, in every sector alike.
+// Order. Contacts of a coordinate come in the order of blocks and lanes, in every sector alike.
 
 #include <bit>
 #include <span>
+#include <vector>
 
 #include "engine/ancf/element_batch.h"
 #include "engine/base/aligned_vector.h"
@@ -47,17 +49,19 @@ class ContactBlocks {
     if (count_ == blocks_.size()) blocks_.emplace_back();
     return blocks_[count_++];
   }
-  // Adds a block without contacts, all zero, before the block of this index.
-  ContactBlock& insert(std::size_t index);
+  // Adds a block without contacts at the end, all zero.
+  ContactBlock& append_empty() { return append() = ContactBlock{}; }
 
  private:
   AlignedVector<ContactBlock> blocks_;
   std::size_t count_ = 0;
 };
 
-// Appends blocks for touches whose first elements are in one block of elements: one for each place of the elements and
-// part of the body, in this order. Returns the index of the first.
-std::size_t open_blocks(std::span<const CordTouch> touches, std::int32_t body, ContactBlocks& contacts);
+// Appends blocks for the touches of a body, which are ordered by the block of their first element, and for each touch
+// its place to `places`: block * kBlockSize + lane. Places of the elements of a block come by part of the body and by
+// CordTouch::first_place.
+void lay_out(std::span<const CordTouch> touches, std::int32_t body, ContactBlocks& contacts,
+             std::vector<std::int32_t>& places);
 // Sets all that a touch determines, for contacts with a body of one part and springs that begin at the surface.
 // `search` is the one that found it.
 void place_touches(const TouchBlock& touch, std::int32_t body, const ContactSearch& search, double body_mass,

@@ -10,8 +10,7 @@
 namespace netpocket {
 
 // Up to eight contacts of cables with one body. Arrays are ordered by component or by corner of the cable's element,
-// then by lane. Lanes without a contact are zero. A contact is in the lane that its element has in a block of elements,
-// so that most blocks can be read without gathering.
+// then by lane. Lanes without a contact are zero. See contact_blocks.h for their lanes.
 struct alignas(64) ContactBlock {
   double weight[4][kBlockSize];  // shape functions at the contact point
   double point[3][kBlockSize];   // m, on the cable's axis; the force acts there on cable and body, so moments balance
@@ -39,9 +38,8 @@ struct alignas(64) ContactBlock {
   bool is_cord_end[kBlockSize];                       // whether the holder is an end of the cord
   bool is_extra[kBlockSize];                          // CordTouch::is_extra
   std::int32_t body;
-  bool feeds;                            // whether any contact is on an element of variable length
-  std::int32_t first_place, first_part;  // CordTouch::first_place and part of all contacts
-  std::uint32_t used;                    // bit i: lane i holds a contact
+  bool feeds;          // whether any contact is on an element of variable length
+  std::uint32_t used;  // bit i: lane i holds a contact
 };
 
 namespace contact_kernel {

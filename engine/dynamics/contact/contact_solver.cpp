@@ -122,16 +122,11 @@ void ContactSolver::note_depths(std::int32_t body, double body_mass, const Touch
   });
 }
 
-void ContactSolver::add_contact(std::int32_t body, double body_mass, const CordTouch& touch, double length) {
+void ContactSolver::add_contact(std::int32_t body, double body_mass, const CordTouch& touch, double length,
+                                std::int32_t place) {
   Partner& partner = partners_[static_cast<std::size_t>(body)];
-  const std::span<ContactBlock> open = contacts_.from(first_open_);
-  ContactBlock& block = *std::ranges::find_if(open, [&](const ContactBlock& of_group) {
-    return of_group.first_part == touch.part && of_group.first_place == touch.first_place;
-  });
-  const int lane = touch.first_element % kBlockSize;
-  block.used |= 1U << lane;
-  places_.push_back(
-      static_cast<std::int32_t>(first_open_ + static_cast<std::size_t>(&block - open.data())) * kBlockSize + lane);
+  ContactBlock& block = contacts_[static_cast<std::size_t>(place / kBlockSize)];
+  const int lane = place % kBlockSize;
   const ElementWeights weights = weights_at(touch, length);
   const ElementIndices indices = polyline_.indices(touch.element);
   for (std::size_t corner = 0; corner < 4; ++corner) {
@@ -210,19 +205,15 @@ void ContactSolver::find_contacts(std::int32_t body, const CoordinateVectors& co
 }
 
 void ContactSolver::add_touches(std::int32_t body, double body_mass, const ElementBatch& batch) {
-  const auto elements_of = [](const CordTouch& touch) { return touch.first_element / kBlockSize; };
-  for (auto first = touches_.begin(); first != touches_.end();) {
-    const auto last =
-        std::find_if(first, touches_.end(), [&](const CordTouch& t) { return elements_of(t) != elements_of(*first); });
-    first_open_ = open_blocks({first, last}, body, contacts_);
-    for (; first != last; ++first) {
-      const double penetration = first->penetration;
-      if (penetration > 0) {
-        note_depth(body, body_mass, first->element, first->part, first->is_cord_end, penetration);
-      }
-      add_contact(body, body_mass, *first,
-                  batch.block(first->element / kBlockSize).length[first->element % kBlockSize]);
+  const std::size_t first_place = places_.size();
+  lay_out(touches_, body, contacts_, places_);
+  for (std::size_t i = 0; i < touches_.size(); ++i) {
+    const CordTouch& touch = touches_[i];
+    if (touch.penetration > 0) {
+      note_depth(body, body_mass, touch.element, touch.part, touch.is_cord_end, touch.penetration);
     }
+    const double length = batch.block(touch.element / kBlockSize).length[touch.element % kBlockSize];
+    add_contact(body, body_mass, touch, length, places_[first_place + i]);
   }
 }
 

@@ -138,7 +138,7 @@ class ContactSolver {
   void note_depth(std::int32_t body, double body_mass, std::int32_t element, std::int32_t part, bool is_cord_end,
                   double penetration);
   void note_depths(std::int32_t body, double body_mass, const TouchBlock& touch, const ContactBlock& block);
-  void add_contact(std::int32_t body, double body_mass, const CordTouch& touch, double length);
+  void add_contact(std::int32_t body, double body_mass, const CordTouch& touch, double length, std::int32_t place);
   void list_places(std::size_t first_block);
   void apply_offsets(Partner& partner, double body_mass);
   ElementWeights weights_at(const CordTouch& touch, double length) const;
@@ -165,7 +165,6 @@ class ContactSolver {
   std::vector<CordTouch> touches_;    // of one body
   ContactBlocks contacts_;            // ordered by body
   std::vector<std::int32_t> places_;  // of the contacts in the order found: block * kBlockSize + lane
-  std::size_t first_open_ = 0;        // first block that open_blocks has made last
   mutable AlignedVector<contact_kernel::LanePowers> powers_;
   std::vector<Eigen::Vector3d> body_force_;
   double deepest_penetration_ = 0;
