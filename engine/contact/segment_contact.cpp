@@ -5,35 +5,21 @@
 #include <limits>
 
 #include "engine/bodies/triangle_mesh.h"
+#include "engine/contact/search_limits.h"
+#include "engine/contact/segment_trial.h"
 #include "engine/math/symmetric_algebra.h"
 
 namespace netpocket {
 namespace {
 
 using Eigen::Vector3d;
+using namespace search_limits;
 
-// Uncertainty (m) of the nearest distance at which the search ends: a thousandth of usual depths.
-constexpr double kTolerance = 1e-8;
-constexpr int kMostTrials = 40;
-
-Vector3d point_at(const Segment& segment, double t) { return segment.start + t * (segment.end - segment.start); }
-
-struct Trial {
-  double t, distance, slope;  // slope of the distance, m per unit of t
-  Vector3d normal;
-};
-
-Trial trial_of(const SurfacePoint& found, const Segment& segment, double t) {
-  return {t, found.distance, symmetric_dot(found.normal, segment.end - segment.start), found.normal};
-}
+using Ends = std::array<const SurfacePoint*, 2>;
 
 Trial try_at(const ContactPart& part, const Segment& segment, double t) {
   return trial_of(part.nearest(point_at(segment, t)), segment, t);
 }
-
-using Ends = std::array<const SurfacePoint*, 2>;
-
-SegmentPlace place_of(const Trial& trial) { return {trial.t, trial.distance, trial.normal}; }
 
 // The nearest place of a segment to a convex solid whose distance falls at `low` and rises at `high`. It tries in turn
 // the intersection of the tangents, which bounds the distance from below, and the zero of the secant of the slopes,
@@ -60,24 +46,7 @@ SegmentContact search_between(const ContactPart& part, const Segment& segment, d
       break;
     }
   }
-  result.nearest = place_of(low.distance < high.distance ? low : high);
-  if (low.slope < 0 && high.slope > 0) {
-    const double part = low.slope / (low.slope - high.slope);
-    result.nearest.normal = (1 - part) * low.normal + part * high.normal;
-  }
-  result.slopes = {low.slope, high.slope};
-  result.distance = result.nearest.distance;
-  result.is_near = result.distance <= reach;
-  return result;
-}
-
-SegmentContact at_end(const Trial& start, const Trial& end, bool is_start, double reach) {
-  const Trial& nearest = is_start ? start : end;
-  return {.distance = nearest.distance,
-          .is_near = nearest.distance <= reach,
-          .nearest = place_of(nearest),
-          .at_ends = {start.distance, end.distance},
-          .slopes = {nearest.slope, nearest.slope}};
+  return enclosed_between(low, high, result.at_ends, reach);
 }
 
 SegmentContact nearest_to_convex(const ContactPart& part, const Segment& segment, const Ends& ends, double reach) {
@@ -245,9 +214,6 @@ class DeepestSearch {
       : distance_(distance), contact_(contact), length_(length), radius_(radius), weight_(weight) {}
 
   SegmentPlace find() {
-    constexpr int kMostTrials = 30;
-    constexpr double kFlat = 0.01;   // slope that is left, by that at the nearest place
-    constexpr double kClose = 1e-7;  // m: places nearer than this to each other are one
     const DepthAt end = at_heavier_end(contact_, radius_, weight_);
     const double from = contact_.nearest.t;
     if (from == end.t) return contact_.nearest;
@@ -255,7 +221,7 @@ class DeepestSearch {
     Bound low{from, steepest}, high{end.t, kUnknown};
     // The depth at the end is known, but not its slope. So the first place is the parabola's.
     double t = deepest_of_parabola(contact_, radius_, weight_, end).t;
-    for (int i = 0; i < kMostTrials && std::abs(high.t - low.t) * length_ > kClose; ++i) {
+    for (int i = 0; i < kMostDeepTrials && std::abs(high.t - low.t) * length_ > kClose; ++i) {
       const Found found = distance_.at(t);
       const double slope = slope_at(t, found);
       if (std::abs(slope) <= kFlat * steepest || (t == end.t && slope >= 0)) return distance_.place(t, found);
@@ -285,7 +251,6 @@ class DeepestSearch {
     if (number % 2 == 1 && low.t == contact_.nearest.t) {
       t = deepest_of_parabola(contact_, radius_, weight_, {high.t, depth}).t;
     }
-    constexpr double kInside = 1e-3;
     const double margin = kInside * (high.t - low.t);
     return std::clamp(t, std::min(low.t + margin, high.t - margin), std::max(low.t + margin, high.t - margin));
   }

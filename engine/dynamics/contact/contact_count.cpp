@@ -9,9 +9,9 @@
 
 namespace netpocket {
 
-double ContactSearch::weight_at(const Side& side, int vertex) const {
+double ContactSearch::weight_at(bool is_before, int vertex) const {
   const double part = static_cast<double>(vertex * pieces_) / CordPolyline::kSegments;
-  return side.is_before ? part : 1 - part;
+  return is_before ? part : 1 - part;
 }
 
 bool ContactSearch::is_touching(const Meeting& meeting, int segment) const {
@@ -48,10 +48,8 @@ ContactSearch::Ends ContactSearch::add_capsules(const Meeting& meeting, const Si
   for (int i = 0; i < segments; ++i) {
     if (!is_touching(meeting, first + i)) continue;
     const auto segment = static_cast<std::size_t>(first + i);
-    const PieceWeight weight{weight_at(side, i), weight_at(side, i + 1)};
-    const SegmentPlace place =
-        find_deepest(parts_[static_cast<std::size_t>(meeting.part)],
-                     {meeting.local[segment], meeting.local[segment + 1]}, meeting.contacts[segment], radius, weight);
+    const PieceWeight weight{weight_at(side.is_before, i), weight_at(side.is_before, i + 1)};
+    const SegmentPlace& place = meeting.deepest[side.is_before ? 1 : 0][segment];
     if (place.t < kAtVertex && touches_at(i)) {
       ++ends[static_cast<std::size_t>(i)];
     } else if (place.t > 1 - kAtVertex && touches_at(i + 1)) {
@@ -77,7 +75,8 @@ void ContactSearch::add_vertices(const Meeting& meeting, const Side& side, const
     const SegmentPlace place = place_at(i);
     const int count = ends[static_cast<std::size_t>(i)] - 1;
     if (count == 0 || !(place.distance < radius)) continue;
-    add_place(meeting, side, {first + i, place, weight_at(side, i), count, 1 + CordPolyline::kSegments + i}, touches);
+    add_place(meeting, side, {first + i, place, weight_at(side.is_before, i), count, 1 + CordPolyline::kSegments + i},
+              touches);
   }
   const SegmentPlace at_holder = place_at(own);
   if (!(at_holder.distance < radius)) return;
@@ -113,7 +112,7 @@ void ContactSearch::add_place(const Meeting& meeting, const Side& side, const Co
   touch.penetration = depth;
   touch.is_cord_end = (side.holder == 0 && previous_[element] < 0) || (side.holder == pieces_ && next_[element] < 0);
   touch.score = found.score();
-  touch.normal = symmetric_product(meeting.body.rigid().rotation(), counted.place.normal);
+  touch.normal = symmetric_product(meeting.body->rigid().rotation(), counted.place.normal);
   touch.point = meeting.world[segment] + counted.place.t * (meeting.world[segment + 1] - meeting.world[segment]);
   if (counted.count == 0) {
     if (open.at_holder < 0) {

@@ -20,10 +20,6 @@ constexpr int kSegments = CordPolyline::kSegments;
 // surface along a capsule.
 constexpr double kLargeSphere = 1;
 
-// Cords that may pass more than this part of a solid's thickness in a step are to be stopped. Each holder then has only
-// the place where it is deepest.
-constexpr double kFastWay = 0.5;
-
 struct SearchKernels {
   contact_kernel::VertexKernel vertices;
   sphere_kernel::PlacesKernel sphere;
@@ -113,16 +109,16 @@ void ContactSearch::set_due(std::int32_t block) {
 }
 
 void ContactSearch::look_at_block(std::int32_t block, const CoordinateVectors& coordinates, const ElementBatch& batch,
-                                  const DynamicBody& body, double ahead, std::vector<CordTouch>& touches) {
+                                  const DynamicBody& body, double ahead) {
   const Vector3d centre = body.centre();
   search_kernels().vertices(batch.block(block), vertices_.data(), vertices_.size(), coordinates.rows(), centre.data(),
                             rows_.data());
   if (is_large_sphere_ && ahead == 0 && pieces_ == kHalves) {
     look_at_sphere(block, body);
   } else {
-    look_at_lanes(block, body, ahead, touches);
+    look_at_lanes(block, body, ahead);
   }
-  set_due(block);
+  looked_at_.push_back(block);
 }
 
 void ContactSearch::find(const CoordinateVectors& coordinates, const ElementBatch& batch, const DynamicBody& body,
@@ -137,9 +133,12 @@ void ContactSearch::find(const CoordinateVectors& coordinates, const ElementBatc
     const std::size_t last = std::min(first + kBlockSize, due_.size() / kBlockSize);
     for (std::size_t block = first; block < last; ++block) {
       if (block_due_[block] > limit) continue;
-      look_at_block(static_cast<std::int32_t>(block), coordinates, batch, body, ahead, touches);
+      look_at_block(static_cast<std::int32_t>(block), coordinates, batch, body, ahead);
     }
   }
+  measure_meetings(touches);
+  for (const std::int32_t block : looked_at_) set_due(block);
+  looked_at_.clear();
   least_due_ = kNever;
   for (std::size_t first = 0; first < block_due_.size(); first += kBlockSize) {
     least_due_ = std::min(least_due_, least_of(&block_due_[first]));
@@ -187,71 +186,62 @@ void ContactSearch::look_at_sphere(std::int32_t block, const DynamicBody& body) 
   if (near != 0) sphere_touches_.add(block, places, near);
 }
 
-void ContactSearch::look_at_lanes(std::int32_t block, const DynamicBody& body, double ahead,
-                                  std::vector<CordTouch>& touches) {
+void ContactSearch::look_at_lanes(std::int32_t block, const DynamicBody& body, double ahead) {
   const double* from_centre = rows_.data() + (kSegments + 1) * kVectorRows * kBlockSize;
   for (int lane = 0; lane < kBlockSize; ++lane) {
     const std::int32_t element = block * kBlockSize + lane;
     const double radius = radius_[static_cast<std::size_t>(element)];
     if (radius < 0 || due_[static_cast<std::size_t>(element)] > approach_ + ahead) continue;
-    double clearance = from_centre[lane] - bounding_radius_ - radius;
-    if (!(clearance > ahead)) clearance = look_at_element(element, chain_of_lane(lane), body, ahead, touches);
-    // In a diverged state the clearance is NaN. The element then stays due.
-    due_[static_cast<std::size_t>(element)] = clearance > 0 ? approach_ + clearance : approach_;
+    due_[static_cast<std::size_t>(element)] = kNever;
+    const double clearance = from_centre[lane] - bounding_radius_ - radius;
+    if (clearance > ahead) {
+      note_clearance(element, clearance);
+    } else {
+      look_at_element(element, chain_of_lane(lane), body, ahead);
+    }
   }
 }
 
-// Least distance (m) between the surfaces of the element and the body. Where it exceeds `ahead`, a lower bound.
-double ContactSearch::look_at_element(std::int32_t element, const Chain& world, const DynamicBody& body, double ahead,
-                                      std::vector<CordTouch>& touches) {
+// In a diverged state the clearance is NaN. The element then stays due.
+void ContactSearch::note_clearance(std::int32_t element, double clearance) {
+  double& due = due_[static_cast<std::size_t>(element)];
+  due = std::min(due, clearance > 0 ? approach_ + clearance : approach_);
+}
+
+void ContactSearch::look_at_element(std::int32_t element, const Chain& world, const DynamicBody& body, double ahead) {
   Chain local;
   for (std::size_t i = 0; i < local.size(); ++i) {
     local[i] = symmetric_transposed_product(body.rigid().rotation(), world[i] - body.centre());
   }
-  double least = kNever;
   for (std::size_t part = 0; part < parts_.size(); ++part) {
-    least = std::min(least, look_at_part(element, static_cast<std::int32_t>(part), world, local, body, ahead, touches));
+    look_at_part(element, static_cast<std::int32_t>(part), world, local, body, ahead);
   }
-  return least;
 }
 
-double ContactSearch::look_at_part(std::int32_t element, std::int32_t part, const Chain& world, const Chain& local,
-                                   const DynamicBody& body, double ahead, std::vector<CordTouch>& touches) {
+void ContactSearch::look_at_part(std::int32_t element, std::int32_t part, const Chain& world, const Chain& local,
+                                 const DynamicBody& body, double ahead) {
   const ContactPart& solid = parts_[static_cast<std::size_t>(part)];
-  const double radius = radius_[static_cast<std::size_t>(element)];
   if (parts_.size() > 1) {
     double nearest = kNever, longest = 0;
     for (std::size_t i = 0; i < local.size(); ++i) {
       nearest = std::min(nearest, symmetric_norm(local[i] - solid.centre));
       if (i > 0) longest = std::max(longest, symmetric_norm(local[i] - local[i - 1]));
     }
+    const double radius = radius_[static_cast<std::size_t>(element)];
     const double clearance = nearest - 0.5 * longest - solid.bounding_radius - radius;
-    if (clearance > ahead) return clearance;
-  }
-  Contacts contacts;
-  double least = kNever;
-  bool is_near = false;
-  std::array<SurfacePoint, kSegments + 1> vertices;
-  for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i] = solid.nearest(local[i]);
-  for (std::size_t i = 0; i < kSegments; ++i) {
-    contacts[i] = nearest_on_segment(solid, {local[i], local[i + 1]}, {&vertices[i], &vertices[i + 1]}, radius + ahead);
-    least = std::min(least, contacts[i].distance - radius);
-    is_near = is_near || contacts[i].is_near;
-  }
-  if (!is_near) return least;
-  const Meeting meeting{element, part, world, local, contacts, vertices, body, ahead};
-  for (int holder = 0; holder <= pieces_; ++holder) {
-    if (!is_large_sphere_ && ahead <= kFastWay * solid.thickness) {
-      touch_side(meeting, {holder, holder - 1, true}, touches);
-      touch_side(meeting, {holder, holder, false}, touches);
-      continue;
+    if (clearance > ahead) {
+      note_clearance(element, clearance);
+      return;
     }
-    const Candidate before = best_in_piece(contacts, radius, ahead, holder - 1, true);
-    const Candidate behind = best_in_piece(contacts, radius, ahead, holder, false);
-    const bool is_before = behind.segment < 0 || (before.segment >= 0 && before.score > behind.score);
-    touch(meeting, holder, is_before ? before : behind, touches);
   }
-  return least;
+  if (meeting_count_ == meetings_.size()) meetings_.emplace_back();
+  Meeting& meeting = meetings_[meeting_count_++];
+  meeting.element = element;
+  meeting.part = part;
+  meeting.body = &body;
+  meeting.ahead = ahead;
+  meeting.world = world;
+  meeting.local = local;
 }
 
 // The segment with the highest score in one piece of the element, for the holder at that piece's end or start.
@@ -316,7 +306,7 @@ void ContactSearch::touch(const Meeting& meeting, int holder, const Candidate& c
   touch->t = place.t;
   touch->share = found.weight;
   touch->penetration = radius - place.distance;
-  touch->normal = symmetric_product(meeting.body.rigid().rotation(), place.normal);
+  touch->normal = symmetric_product(meeting.body->rigid().rotation(), place.normal);
   touch->point = meeting.world[segment] + place.t * (meeting.world[segment + 1] - meeting.world[segment]);
 }
 

@@ -27,7 +27,7 @@
 
 #include "engine/base/aligned_vector.h"
 #include "engine/contact/contact_part.h"
-#include "engine/contact/segment_contact.h"
+#include "engine/contact/segment_batch.h"
 #include "engine/dynamics/assembly/coordinate_vectors.h"
 #include "engine/dynamics/assembly/dynamic_body.h"
 #include "engine/dynamics/contact/contact_kernel.h"
@@ -102,27 +102,39 @@ class ContactSearch {
   using Chain = std::array<Eigen::Vector3d, CordPolyline::kSegments + 1>;
 
   void look_at_block(std::int32_t block, const CoordinateVectors& coordinates, const ElementBatch& batch,
-                     const DynamicBody& body, double ahead, std::vector<CordTouch>& touches);
+                     const DynamicBody& body, double ahead);
   // For the elements of a block whose vertices are in rows_.
   void look_at_sphere(std::int32_t block, const DynamicBody& body);
-  void look_at_lanes(std::int32_t block, const DynamicBody& body, double ahead, std::vector<CordTouch>& touches);
+  void look_at_lanes(std::int32_t block, const DynamicBody& body, double ahead);
   Chain chain_of_lane(int lane) const;
   static bool is_touchable(const Model& model, std::int32_t element, std::int32_t body);
   void set_due(std::int32_t block);
-  double look_at_element(std::int32_t element, const Chain& world, const DynamicBody& body, double ahead,
-                         std::vector<CordTouch>& touches);
-  double look_at_part(std::int32_t element, std::int32_t part, const Chain& world, const Chain& local,
-                      const DynamicBody& body, double ahead, std::vector<CordTouch>& touches);
+  // Enters that the element is at least this distance (m) from a part of the body.
+  void note_clearance(std::int32_t element, double clearance);
+  void look_at_element(std::int32_t element, const Chain& world, const DynamicBody& body, double ahead);
+  void look_at_part(std::int32_t element, std::int32_t part, const Chain& world, const Chain& local,
+                    const DynamicBody& body, double ahead);
   Candidate best_in_piece(const Contacts& contacts, double radius, double ahead, int piece, bool towards_end) const;
   // An element near a part of the body.
   struct Meeting {
     std::int32_t element, part;
-    const Chain &world, &local;
-    const Contacts& contacts;
-    const std::array<SurfacePoint, CordPolyline::kSegments + 1>& vertices;  // nearest on the part, of `local`
-    const DynamicBody& body;
-    double ahead;  // m
+    const DynamicBody* body;
+    double ahead;                                                    // m
+    Chain world, local;                                              // world and body axes
+    std::array<SurfacePoint, CordPolyline::kSegments + 1> vertices;  // nearest on the part, of `local`
+    Contacts contacts;                                               // by capsule
+    bool is_near;
+    // By side (Side::is_before) and capsule: its place of largest weight * depth^2.5. Only of capsules that touch.
+    std::array<std::array<SegmentPlace, CordPolyline::kSegments>, 2> deepest;
   };
+  // Pieces of elements side by side: see segment_batch.h.
+  void measure_meetings(std::vector<CordTouch>& touches);
+  void find_nearest_places(std::int32_t part);
+  void find_deepest_places(std::int32_t part);
+  // Whether each holder sums its contacts. Else it has only the deepest one.
+  bool sums_contacts(const Meeting& meeting) const;
+  void add_touches_of(const Meeting& meeting, std::vector<CordTouch>& touches);
+  std::span<Meeting> meetings() { return {meetings_.data(), meeting_count_}; }
   void touch(const Meeting& meeting, int holder, const Candidate& candidate, std::vector<CordTouch>& touches);
   // Half of a holder's range: one piece of an element.
   struct Side {
@@ -141,7 +153,7 @@ class ContactSearch {
   void touch_side(const Meeting& meeting, const Side& side, std::vector<CordTouch>& touches);
   Ends add_capsules(const Meeting& meeting, const Side& side, std::vector<CordTouch>& touches);
   void add_vertices(const Meeting& meeting, const Side& side, const Ends& ends, std::vector<CordTouch>& touches);
-  double weight_at(const Side& side, int vertex) const;
+  double weight_at(bool is_before, int vertex) const;
   bool is_touching(const Meeting& meeting, int segment) const;
   void add_place(const Meeting& meeting, const Side& side, const CountedPlace& counted,
                  std::vector<CordTouch>& touches);
@@ -171,6 +183,12 @@ class ContactSearch {
   double approach_ = 0;              // m, sum of note_way since forget()
   AlignedVector<double> rows_;       // vertices of one block
   SphereTouches sphere_touches_;
+  std::vector<std::int32_t> looked_at_;  // blocks of this search
+  std::vector<Meeting> meetings_;        // the first meeting_count_ are of this search; the others keep their memory
+  std::size_t meeting_count_ = 0;
+  std::vector<PointTask> point_tasks_;
+  std::vector<NearestTask> nearest_tasks_;
+  std::vector<DeepestTask> deepest_tasks_;
   std::vector<Open> open_;
   std::vector<CordTouch> at_holders_, sorted_;
   // By part and holder: index into open_, or -1.
