@@ -31,17 +31,26 @@ std::optional<Solid> solid_of(const ContactPart& part) {
   solid.rounding = part.rounding;
   std::copy_n(part.centre.data(), 3, solid.centre);
   if (const auto* box = std::get_if<Box>(&part.solid)) {
-    solid.is_box = true;
+    solid.kind = segment_kernel::Kind::box;
     for (int axis = 0; axis < 3; ++axis) solid.half[axis] = 0.5 * box->size[axis];
     return solid;
   }
   if (const auto* cylinder = std::get_if<Cylinder>(&part.solid)) {
+    solid.kind = segment_kernel::Kind::cylinder;
     solid.radius = cylinder->radius;
     solid.half_length = 0.5 * cylinder->length;
     return solid;
   }
+  if (const auto* sphere = std::get_if<Sphere>(&part.solid)) {
+    solid.kind = segment_kernel::Kind::sphere;
+    solid.radius = sphere->radius;
+    return solid;
+  }
   return std::nullopt;
 }
+
+// Nearest places on spheres have closed formulas.
+bool needs_search(const std::optional<Solid>& solid) { return solid && solid->kind != segment_kernel::Kind::sphere; }
 
 using Row = double[kBlockSize];
 
@@ -127,14 +136,15 @@ void search_deepest_of_eight(const Solid& solid, const std::array<const DeepestT
 
 void find_nearest_points(const ContactPart& part, std::span<const PointTask> tasks) {
   const std::optional<Solid> solid = solid_of(part);
-  if (!solid) {
+  if (!needs_search(solid)) {
     for (const PointTask& task : tasks) *task.nearest = part.nearest(*task.point);
     return;
   }
-  for_each_group(tasks, [&](const std::array<const PointTask*, kBlockSize>& group, int count) {
+  for_each_group(tasks, [&](const auto& group, int count) {
     segment_kernel::Points points;
-    for (int lane = 0; lane < kBlockSize; ++lane)
+    for (int lane = 0; lane < kBlockSize; ++lane) {
       set_lane(points.point, lane, *group[static_cast<std::size_t>(lane)]->point);
+    }
     segment_kernels().points(*solid, points);
     for (int lane = 0; lane < count; ++lane) {
       *group[static_cast<std::size_t>(lane)]->nearest = {points.distance[lane], vector_in_lane(points.normal, lane)};
@@ -145,19 +155,24 @@ void find_nearest_points(const ContactPart& part, std::span<const PointTask> tas
 // Pieces along which the distance falls or rises only need no search.
 void find_nearest(const ContactPart& part, std::span<const NearestTask> tasks) {
   const std::optional<Solid> solid = solid_of(part);
-  std::vector<NearestTask> searched;
+  std::array<const NearestTask*, kBlockSize> group;
+  std::size_t waiting = 0;
+  const auto search_group = [&] {
+    std::fill(group.begin() + static_cast<std::ptrdiff_t>(waiting), group.end(), group.front());
+    search_eight(*solid, group, static_cast<int>(waiting));
+    waiting = 0;
+  };
   for (const NearestTask& task : tasks) {
     const Vector3d along = task.segment.end - task.segment.start;
-    const bool is_enclosed =
-        symmetric_dot(task.ends[0]->normal, along) < 0 && symmetric_dot(task.ends[1]->normal, along) > 0;
-    if (solid && is_enclosed) {
-      searched.push_back(task);
+    if (needs_search(solid) && symmetric_dot(task.ends[0]->normal, along) < 0 &&
+        symmetric_dot(task.ends[1]->normal, along) > 0) {
+      group[waiting++] = &task;
+      if (waiting == kBlockSize) search_group();
     } else {
       *task.result = nearest_on_segment(part, task.segment, task.ends, task.reach);
     }
   }
-  for_each_group(std::span<const NearestTask>(searched),
-                 [&](const auto& group, int count) { search_eight(*solid, group, count); });
+  if (waiting > 0) search_group();
 }
 
 void find_deepest(const ContactPart& part, std::span<const DeepestTask> tasks) {

@@ -1,6 +1,7 @@
 #pragma once
-// The searches of segment_contact.h for many points and pieces of cords and one solid. On boxes and cylinders eight of
-// them are computed at once. Results are those of single searches to the last bit.
+// The searches of segment_contact.h for many points and pieces of cords and one solid. On boxes, cylinders and
+// spheres eight of them are computed at once, where they need a search. Results are those of single searches to the
+// last bit.
 //
 // Any thread may call these functions.
 

@@ -92,7 +92,7 @@ NETPOCKET_INLINE Surface nearest_on_cylinder(const Solid& solid, const SimdVecto
 
 NETPOCKET_INLINE Surface nearest_on(const Solid& solid, const SimdVector& point) {
   const SimdVector local = point - broadcast3(solid.centre);
-  const Surface inner = solid.is_box ? nearest_on_box(solid, local) : nearest_on_cylinder(solid, local);
+  const Surface inner = solid.kind == Kind::box ? nearest_on_box(solid, local) : nearest_on_cylinder(solid, local);
   return {inner.distance - broadcast(solid.rounding), inner.normal};
 }
 
@@ -225,9 +225,48 @@ NETPOCKET_INLINE SimdDouble guess(const Depths& d, const Bound& low, const Bound
   return clamp(t, smaller(after_low, before_high), larger(after_low, before_high));
 }
 
-NETPOCKET_INLINE void deepest_of_part(const Solid& solid, Deepest& search, int part) {
+class DistanceAlong {
+ public:
+  DistanceAlong(const Solid& solid, const Piece& piece) : solid_(solid), piece_(piece) {}
+  [[gnu::always_inline]] Trial at(const SimdDouble& t) const { return try_at(solid_, piece_, t); }
+  [[gnu::always_inline]] Trial with_normal(const Trial& trial) const { return trial; }
+
+ private:
+  const Solid& solid_;
+  const Piece& piece_;
+};
+
+// As DistanceFromSphere of segment_contact.cpp.
+class DistanceFromSphere {
+ public:
+  [[gnu::always_inline]] DistanceFromSphere(const Solid& solid, const Piece& piece)
+      : start_(piece.start - broadcast3(solid.centre)), along_(piece.along), radius_(broadcast(solid.radius)) {
+    const SimdDouble zero = broadcast(0);
+    square_ = dot(along_, along_);
+    foot_ = square_ > zero ? -dot(start_, along_) / square_ : zero;
+    const SimdVector nearest = start_ + foot_ * along_;
+    apart_ = dot(nearest, nearest);
+  }
+  [[gnu::always_inline]] Trial at(const SimdDouble& t) const {
+    const SimdDouble zero = broadcast(0), way = t - foot_, from_centre = square_root(apart_ + way * way * square_);
+    return {t, from_centre - radius_, from_centre > zero ? way * square_ / from_centre : zero, SimdVector{}};
+  }
+  [[gnu::always_inline]] Trial with_normal(const Trial& trial) const {
+    const SimdDouble zero = broadcast(0), from_centre = trial.distance + radius_;
+    const SimdVector arm = start_ + trial.t * along_;
+    const SimdVector outward = {arm.x / from_centre, arm.y / from_centre, arm.z / from_centre};
+    return {trial.t, trial.distance, trial.slope,
+            select(from_centre > zero, outward, SimdVector{zero, broadcast(1), zero})};
+  }
+
+ private:
+  SimdVector start_, along_;
+  SimdDouble radius_, square_, foot_, apart_;
+};
+
+template <typename Distance>
+NETPOCKET_INLINE void deepest_of_part(const Distance& distance, Deepest& search, int part) {
   const SimdDouble unknown = broadcast(-std::numeric_limits<double>::infinity());
-  const Piece piece = load_piece(search.piece, part);
   const Depths d = depths_of(search, part);
   const SimdDouble length = load(search.length, part), steepest = absolute(d.rise) * d.depth;
   Bound low{d.from, steepest}, high{d.end, unknown};
@@ -237,7 +276,7 @@ NETPOCKET_INLINE void deepest_of_part(const Solid& solid, Deepest& search, int p
   for (int i = 0; i < kMostDeepTrials; ++i) {
     is_active &= absolute(high.t - low.t) * length > broadcast(kClose);
     if (!is_any(is_active)) break;
-    const Trial trial = try_at(solid, piece, t);
+    const Trial trial = distance.at(t);
     const SimdDouble slope = slope_at(d, trial);
     const Mask is_flat = absolute(slope) <= broadcast(kFlat) * steepest;
     const Mask ends = is_active & (is_flat | ((t == d.end) & (slope >= broadcast(0))));
@@ -250,15 +289,22 @@ NETPOCKET_INLINE void deepest_of_part(const Solid& solid, Deepest& search, int p
     t = high.slope == unknown ? d.end : guess(d, low, high, d.radius - trial.distance, i);
   }
   const Mask is_nearest = ~is_found & (low.t == d.from);
-  if (is_any(~is_found & ~is_nearest)) found = select(is_found, found, try_at(solid, piece, low.t));
-  store_trial(search.found, part, found);
+  if (is_any(~is_found & ~is_nearest)) found = select(is_found, found, distance.at(low.t));
+  store_trial(search.found, part, distance.with_normal(found));
   store(search.is_nearest, part, is_nearest ? broadcast(1) : broadcast(0));
 }
 
 }  // namespace
 
 void deepest(const Solid& solid, Deepest& search) {
-  for (int part = 0; part < kParts; ++part) deepest_of_part(solid, search, part);
+  for (int part = 0; part < kParts; ++part) {
+    const Piece piece = load_piece(search.piece, part);
+    if (solid.kind == Kind::sphere) {
+      deepest_of_part(DistanceFromSphere(solid, piece), search, part);
+    } else {
+      deepest_of_part(DistanceAlong(solid, piece), search, part);
+    }
+  }
 }
 
 }  // namespace netpocket::segment_kernel::NETPOCKET_ISA_NAME

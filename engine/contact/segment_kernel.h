@@ -1,7 +1,7 @@
 #pragma once
-// Instruction-set variants of the searches of segment_contact.h on boxes and cylinders, for eight pieces of cords at
-// once. Each lane computes what the functions of segment_contact.cpp and shape.cpp compute, to the last bit. Internal
-// to segment_batch.
+// Instruction-set variants of the searches of segment_contact.h on boxes, cylinders and spheres, for eight pieces of
+// cords at once. Each lane computes what the functions of segment_contact.cpp and shape.cpp compute, to the last bit.
+// Internal to segment_batch.
 //
 // Rows hold one value for each lane. Lanes that are not wanted may hold anything that is finite. Body axes, m.
 
@@ -10,11 +10,13 @@
 
 namespace netpocket::segment_kernel {
 
-// A box or a cylinder along y, whose edges may be round (contact_part.h).
+enum class Kind { box, cylinder, sphere };
+
+// The edges of boxes and cylinders (along y) may be round (contact_part.h).
 struct Solid {
-  bool is_box;
+  Kind kind;
   double half[3];              // m, half the edges of the box
-  double radius, half_length;  // m, of the cylinder
+  double radius, half_length;  // m, of cylinder and sphere; of the cylinder
   double rounding;             // m
   double centre[3];            // m, body axes
 };
@@ -54,6 +56,7 @@ struct alignas(64) Deepest {
   double is_nearest[kBlockSize];    // 1 if the result is the nearest place, and found is not set; else 0
 };
 
+// Points and places between others: of boxes and cylinders only.
 using PointsKernel = void (*)(const Solid&, Points&);
 using BetweenKernel = void (*)(const Solid&, Between&);
 using DeepestKernel = void (*)(const Solid&, Deepest&);

@@ -41,13 +41,13 @@ struct OrderedTouch {
 
 std::int32_t element_block(const CordTouch& touch) { return touch.first_element / kBlockSize; }
 
-std::vector<OrderedTouch> in_order(std::span<const CordTouch> touches, std::size_t first) {
-  std::vector<OrderedTouch> result;
+// The touches from `first` on that are of the same block of elements.
+void put_in_order(std::span<const CordTouch> touches, std::size_t first, std::vector<OrderedTouch>& result) {
+  result.clear();
   for (std::size_t i = first; i < touches.size() && element_block(touches[i]) == element_block(touches[first]); ++i) {
     result.push_back({touches[i].part, touches[i].first_place, touches[i].first_element % kBlockSize, i});
   }
-  std::ranges::sort(result);
-  return result;
+  if (result.size() > 1) std::ranges::sort(result);
 }
 
 }  // namespace
@@ -63,8 +63,9 @@ void lay_out(std::span<const CordTouch> touches, std::int32_t body, ContactBlock
     places[first_place + touch.index] = static_cast<std::int32_t>(block) * kBlockSize + lane;
   };
   int next_lane = kBlockSize;  // of the last block; kBlockSize: it takes no more
+  std::vector<OrderedTouch> ordered;
   for (std::size_t first = 0; first < touches.size();) {
-    const std::vector<OrderedTouch> ordered = in_order(touches, first);
+    put_in_order(touches, first, ordered);
     first += ordered.size();
     for (auto alike = ordered.begin(); alike != ordered.end();) {
       const auto end = std::find_if(alike, ordered.end(), [&](const OrderedTouch& touch) {

@@ -99,7 +99,7 @@ class ContactSolver {
   int stops() const { return stops_; }
   // Contacts whose spring is too stiff for the step (force_law.h: theta > 0).
   int unresolved() const { return unresolved_; }
-  // Largest dt^2 w k of the present forces' springs.
+  // Largest dt^2 w k of the present forces' springs, four times that of springs that bear much.
   double largest_squared_phase() const { return largest_squared_phase_; }
   // Largest force of a present spring by what the softest springs, those for the first step, bear at their greatest
   // compression.
@@ -148,7 +148,8 @@ class ContactSolver {
     double squared_phase = 0;
     contact_kernel::ContactPower power;  // valid only if no contact was stopped
   };
-  Outcome outcome_of(const Partner& partner) const;
+  Outcome outcome_of(const Partner& partner, double body_mass);
+  double load_of(const ContactBlock& block, int lane, double body_mass);
   // Calls function(block, lane) in the order in which the contacts were found.
   template <typename Function>
   void for_each_contact(const Function& function) const;

@@ -170,7 +170,8 @@ class CableSystem {
   ContactDepths take_deepest_contacts();
   // Deepest penetration (m) of cords into bodies in the last step.
   double penetration() const;
-  // Largest squared phase of a contact's spring in the last step, dt^2 w k (force_law.h).
+  // Largest squared phase of a contact's spring in the last step, dt^2 w k (force_law.h); four times that of springs that
+  // bear much.
   double contact_squared_phase() const;
   // Largest compression (m) of such a contact's spring. Springs that became stiffer begin below the surface.
   double contact_compression() const;
