@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -22,6 +23,7 @@
 #include "gui/commands/standard_streams.h"
 #include "render/output/export_vtkhdf.h"
 #include "render/output/export_vtp.h"
+#include "render/output/run_meshes.h"
 #include "render/output/write_animation.h"
 
 namespace netpocket {
@@ -29,8 +31,10 @@ namespace {
 
 constexpr const char* kExportHelp = R"(--csv writes channels.csv: one row for each recorded frame.
 --json writes summary.json, metrics.json and scenario.json: what info, metrics and check print with --json.
---vtp writes netpocket.pvd, for ParaView: cords and rods with tension, strain and velocity, and the bodies.
---vtkhdf writes the same as lines.vtkhdf and bodies.vtkhdf, with all times in one file each (ParaView 5.12, VTK 9.3).
+--vtp writes netpocket.pvd, for ParaView: cords and rods with tension, strain and velocity, the bodies, and ropes that
+run through rings or off a drum.
+--vtkhdf writes the same as lines.vtkhdf, bodies.vtkhdf and ropes.vtkhdf, with all times in one file each (ParaView 5.12,
+VTK 9.3). There is no ropes.vtkhdf for a run without such ropes.
 --gltf writes the whole capture as an animation for browsers, Blender and slides. Without --keys it has at most 300
 moments, evenly spread; viewers interpolate between them.
 
@@ -78,10 +82,14 @@ ExitCode export_series(const Recording& recording, const ExportChoice& choice) {
     say(fmt::format("interrupted; \"{}/{}\" lists the frames that were written", choice.vtp, kSeriesName));
     return ExitCode::interrupted;
   }
-  for (const std::string part : {"lines", "bodies"}) {
+  const std::vector<RunPart> parts = run_parts(recording.structure());
+  for (const RunPart part : kRunParts) {
+    const std::string name = run_part_name(part);
     std::set<std::string> files;
-    for (std::size_t i = 0; i < recording.frame_count(); ++i) files.insert(vtp_file_name(part, i));
-    note_older_files(choice.vtp, part + "_", ".vtp", files);
+    if (std::ranges::find(parts, part) != parts.end()) {
+      for (std::size_t i = 0; i < recording.frame_count(); ++i) files.insert(vtp_file_name(name, i));
+    }
+    note_older_files(choice.vtp, name + "_", ".vtp", files);
   }
   return ExitCode::ok;
 }

@@ -6,6 +6,7 @@
 #include <cctype>
 
 #include "render/figures/control_loops.h"
+#include "render/figures/peak_marker.h"
 #include "render/figures/phase_bands.h"
 #include "render/figures/rich_text.h"
 
@@ -48,10 +49,25 @@ std::vector<Group> groups_of(const RunSeries& run) {
   return groups;
 }
 
+// "kg m^2/s" with its powers raised.
+std::string unit_text(const std::string& unit) {
+  std::string text;
+  for (std::size_t i = 0; i < unit.size(); ++i) {
+    if (unit[i] != '^') {
+      text += plain_text(unit.substr(i, 1));
+      continue;
+    }
+    const std::size_t end = std::min(unit.find_first_not_of("-0123456789", i + 1), unit.size());
+    text += "^{" + plain_text(unit.substr(i + 1, end - i - 1)) + "}";
+    i = end - 1;
+  }
+  return text;
+}
+
 std::string axis_title(const Group& group) {
   const ChannelInfo& first = group.front();
   const std::string words = plain_text(words_of(group.size() > 1 ? stem_of(first.name) : first.name));
-  return first.unit == "1" ? words : fmt::format("{} ({})", words, plain_text(first.unit));
+  return first.unit == "1" ? words : fmt::format("{} ({})", words, unit_text(first.unit));
 }
 
 // One run: a colour for each component. Several: a colour for each run and a dash for each component.
@@ -63,6 +79,16 @@ Curve curve_of(const RunSeries& run, std::size_t channel, std::size_t colour, st
   curve.colour = kRunColours[colour % kRunColours.size()];
   if (dash > 0) curve.dash = {kDash / static_cast<double>(dash), kDash / 2};
   return curve;
+}
+
+void mark_peak(Panel& panel, const RunSeries& run, const std::string& channel) {
+  constexpr double kLeast = 1e-3;  // N
+  const auto index = run.channel_list->find(channel);
+  if (!index) return;
+  auto peak = peak_marker(run.times(), run.channels[*index], "N", kLeast);
+  if (!peak) return;
+  peak->name = fmt::format("{}: largest {}", run.name, channel);
+  panel.curves.push_back(std::move(*peak));
 }
 
 Panel panel_of(const Group& group, const std::vector<RunSeries>& runs) {
@@ -87,6 +113,9 @@ Panel panel_of(const Group& group, const std::vector<RunSeries>& runs) {
       curve.label = std::move(label);
       panel.curves.push_back(std::move(curve));
     }
+  }
+  if (one_run && group.size() == 1 && first.unit == "N") {
+    mark_peak(panel, runs.front(), first.name);
   }
   return panel;
 }

@@ -12,6 +12,7 @@
 #include "render/figures/axis_ticks.h"
 #include "render/figures/control_loops.h"
 #include "render/figures/own_channels.h"
+#include "render/figures/peak_marker.h"
 #include "render/figures/phase_bands.h"
 #include "render/figures/rich_text.h"
 
@@ -107,23 +108,12 @@ Figure closing_figure(const Runs& runs) {
 
 // ---- Figures 5 and 9 ----
 
-// Marks the largest |F_y|; no curve when there is no force.
-std::vector<Curve> peak_marker(const RunSeries& run) {
-  const std::vector<double>& force = run.channel(Channel::contact_fy);
-  std::size_t peak = force.size();
-  for (std::size_t i = 0; i < std::min(force.size(), run.times().size()); ++i) {
-    if (!std::isfinite(force[i]) || std::abs(force[i]) < kSmallestForce) continue;
-    if (peak == force.size() || std::abs(force[i]) > std::abs(force[peak])) peak = i;
-  }
-  if (peak == force.size()) return {};
-  Curve curve;
-  curve.x = {run.times()[peak]};
-  curve.y = {force[peak]};
-  curve.colour = kBlack;
-  curve.marker = Marker::circle;
-  curve.name = run.name + ": largest contact_fy";
-  curve.label = fmt::format("{} N at {} s", number_text(force[peak], 1), number_text(curve.x[0], 2));
-  return {curve};
+// Marks the largest force; nothing when there is none.
+void add_peak(Panel& panel, const RunSeries& run, const std::vector<double>& force, const std::string& name) {
+  std::optional<Curve> peak = peak_marker(run.times(), force, "N", kSmallestForce);
+  if (!peak) return;
+  peak->name = run.name + ": largest " + name;
+  panel.curves.push_back(std::move(*peak));
 }
 
 struct ForceComponent {
@@ -142,7 +132,7 @@ Panel force_panel(const RunSeries& run, const ForceComponent& force, std::string
   panel.curves = {channel_curve(run, force.channel, force.colour, "")};
   panel.curves.front().width = kThinLine;
   if (force.channel == Channel::contact_fy) {
-    for (Curve& curve : peak_marker(run)) panel.curves.push_back(curve);
+    add_peak(panel, run, run.channel(Channel::contact_fy), channel_info(Channel::contact_fy).name);
   }
   return panel;
 }
@@ -328,13 +318,47 @@ Figure energy_figure(const Runs& runs) {
   return grid("Energy balance" + only_run(runs), panels, 3);
 }
 
+// Tensions of ropes that only this kind of system has, such as a tether.
+std::vector<ChannelInfo> own_tensions(const RunSeries& run) {
+  std::vector<ChannelInfo> tensions;
+  for (const ChannelInfo& channel : *run.channel_list) {
+    const bool is_known = known_channels()->find(channel.name).has_value();
+    if (!is_known && channel.unit == "N" && channel.name.ends_with("_tension")) tensions.push_back(channel);
+  }
+  return tensions;
+}
+
+// A panel of a tension, for the runs that have its channel.
+Panel tension_panel(const Runs& runs, const std::string& channel, std::string title, double width = kThinLine) {
+  Panel panel = time_panel(std::move(title), "Tension (N)", common_phases(runs));
+  panel.y.minimum_span = kSmallestForce;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const auto index = runs[i].channel_list->find(channel);
+    if (!index) continue;
+    Curve curve;
+    curve.x = runs[i].times();
+    curve.y = runs[i].channels[*index];
+    curve.colour = run_colour(i);
+    curve.width = width;
+    if (runs.size() > 1) curve.label = run_name(runs[i]);
+    if (!runs[i].name.empty()) curve.name = fmt::format("{}: {}", runs[i].name, channel);
+    panel.curves.push_back(std::move(curve));
+    if (runs.size() == 1) add_peak(panel, runs[i], runs[i].channels[*index], channel);
+  }
+  return panel;
+}
+
 Figure tension_figure(const Runs& runs) {
-  Panel net = time_panel("Largest tension in a net cord", "Tension (N)", common_phases(runs));
-  Panel rope = time_panel("Tension in the closing ropes, mean", "Tension (N)", common_phases(runs));
-  add_run_curves(net, runs, Channel::rope_tension_max);
-  for (Curve& curve : net.curves) curve.width = kThinLine;
-  add_run_curves(rope, runs, Channel::closing_tension);
-  return grid("Tension" + only_run(runs), {net, rope}, 2);
+  const ChannelInfo &net = channel_info(Channel::rope_tension_max), &closing = channel_info(Channel::closing_tension);
+  std::vector<Panel> panels = {tension_panel(runs, net.name, "Largest tension in a net cord")};
+  const auto closes = [](const RunSeries& run) { return run.channel_list->has(Channel::closing_tension); };
+  if (std::ranges::any_of(runs, closes)) {
+    panels.push_back(tension_panel(runs, closing.name, "Tension in the closing ropes, mean", Curve().width));
+  }
+  for (const ChannelInfo& own : own_tensions(runs.front())) {
+    panels.push_back(tension_panel(runs, own.name, row_title("", plain_text(own.meaning))));
+  }
+  return grid("Tension" + only_run(runs), panels, std::min<std::size_t>(panels.size(), 2));
 }
 
 // ---- names ----

@@ -27,6 +27,21 @@ void append_quad(std::vector<std::uint32_t>& triangles, std::uint32_t a, std::ui
   triangles.insert(triangles.end(), {a, b, c, a, c, d});
 }
 
+Eigen::Vector3d first_place(const GltfTrack& joint) {
+  return Eigen::Map<const Eigen::Vector3f>(joint.translations.data()).cast<double>();
+}
+
+// Both ends of three bars along the world's axes: kCrossPoints points that follow a joint.
+void append_cross(GltfSkinnedPart& part, const GltfTrack& joint, std::size_t index, double half_width) {
+  const Eigen::Vector3d center = first_place(joint);
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double side : {-half_width, half_width}) {
+      append(part.positions, center + side * Eigen::Vector3d::Unit(axis));
+    }
+  }
+  part.joints.insert(part.joints.end(), kCrossPoints, static_cast<std::uint16_t>(index));
+}
+
 }  // namespace
 
 AnimatedCords::AnimatedCords(const Structure& structure)
@@ -52,8 +67,6 @@ void AnimatedCords::add_key(const Snapshot& snapshot) {
   }
 }
 
-double AnimatedCords::extent() const { return box_.isEmpty() ? 0 : box_.sizes().maxCoeff(); }
-
 GltfSkinnedPart AnimatedCords::part(CableLook look, double half_width) const {
   GltfSkinnedPart part;
   std::vector<std::uint32_t> first_point(nodes_.size(), 0);
@@ -63,14 +76,7 @@ GltfSkinnedPart AnimatedCords::part(CableLook look, double half_width) const {
     if (!has_points[joint]) {
       has_points[joint] = true;
       first_point[joint] = static_cast<std::uint32_t>(part.joints.size());
-      const Eigen::Vector3d center =
-          Eigen::Map<const Eigen::Vector3f>(joints_[joint].translations.data()).cast<double>();
-      for (int axis = 0; axis < 3; ++axis) {
-        for (const double side : {-half_width, half_width}) {
-          append(part.positions, center + side * Eigen::Vector3d::Unit(axis));
-        }
-      }
-      part.joints.insert(part.joints.end(), kCrossPoints, joint);
+      append_cross(part, joints_[joint], joint, half_width);
     }
     return first_point[joint];
   };
@@ -93,6 +99,46 @@ void AnimatedCords::add_to(GltfDocument& document, const Palette& palette, doubl
     if (!some->triangles.empty()) parts.push_back(std::move(*some));
   }
   if (!parts.empty()) document.add_skinned("cords", joints_, parts);
+}
+
+AnimatedRopes::AnimatedRopes(const Structure& structure) {
+  for (const NodeGroup& group : structure.node_groups) {
+    if (group.look != NodeLook::rope || group.nodes.size() < 2) continue;
+    if (group.nodes.size() > kNoJoint) throw RenderError("an animation has room for 65535 nodes of a rope");
+    Rope rope{group.name, group.nodes, {}};
+    for (const std::int32_t node : group.nodes) {
+      rope.joints.push_back({fmt::format("{}, node {}", group.name, node), {}, {}});
+    }
+    ropes_.push_back(std::move(rope));
+  }
+}
+
+void AnimatedRopes::add_key(const Snapshot& snapshot) {
+  for (Rope& rope : ropes_) {
+    for (std::size_t i = 0; i < rope.nodes.size(); ++i) {
+      const Eigen::Vector3d position = snapshot.positions.col(rope.nodes[i]);
+      rope.joints[i].add(position);
+      box_.extend(position);
+    }
+  }
+}
+
+void AnimatedRopes::add_to(GltfDocument& document, const Palette& palette, double width) const {
+  for (const Rope& rope : ropes_) {
+    GltfSkinnedPart part;
+    part.color = palette.closing_ropes;
+    for (std::size_t i = 0; i < rope.joints.size(); ++i) append_cross(part, rope.joints[i], i, width / 2);
+    for (std::size_t i = 0; i + 1 < rope.joints.size(); ++i) {
+      const auto from = static_cast<std::uint32_t>(i * kCrossPoints), to = from + kCrossPoints;
+      // What each edge of the octahedron sweeps: between all of its corners that are no two ends of a bar.
+      for (std::uint32_t a = 0; a < kCrossPoints; ++a) {
+        for (std::uint32_t b = a + 1; b < kCrossPoints; ++b) {
+          if (a / 2 != b / 2) append_quad(part.triangles, from + a, to + a, to + b, from + b);
+        }
+      }
+    }
+    document.add_skinned(rope.name, rope.joints, {part});
+  }
 }
 
 AnimatedTubes::AnimatedTubes(const Structure& structure) : structure_(structure), curve_(kRingSegments) {
@@ -130,7 +176,7 @@ void AnimatedTubes::add_to(GltfDocument& document, const Palette& palette) const
   part.color = palette.rods;
   for (std::size_t i = 0; i < rings_.size(); ++i) {
     const double radius = structure_.elements[rings_[i].element].radius;
-    const Eigen::Vector3d center = Eigen::Map<const Eigen::Vector3f>(joints_[i].translations.data()).cast<double>();
+    const Eigen::Vector3d center = first_place(joints_[i]);
     const Eigen::Quaterniond attitude = Eigen::Quaternionf(joints_[i].rotations.data()).cast<double>();
     for (int side = 0; side < kRingSides; ++side) {
       const double angle = 2 * std::numbers::pi * side / kRingSides;

@@ -1,6 +1,7 @@
 #pragma once
-// Cords and rods as meshes that follow joints, for animations of a whole capture.
+// Cords, rods and ropes as meshes that follow joints, for animations of a whole capture.
 
+#include <string>
 #include <vector>
 
 #include "engine/state/snapshot.h"
@@ -21,8 +22,8 @@ class AnimatedCords {
   void add_key(const Snapshot& snapshot);
   // `width`: of net cords, m; ropes are drawn twice as wide. Nothing without cords.
   void add_to(GltfDocument& document, const Palette& palette, double width) const;
-  // Of the box around all keys, m.
-  double extent() const;
+  // Around all keys, m, world; empty without cords.
+  const Eigen::AlignedBox3d& box() const { return box_; }
 
  private:
   GltfSkinnedPart part(CableLook look, double half_width) const;
@@ -31,6 +32,31 @@ class AnimatedCords {
   std::vector<std::int32_t> nodes_;      // of the joints
   std::vector<std::uint16_t> joint_of_;  // by node
   std::vector<GltfTrack> joints_;        // by nodes_
+  Eigen::AlignedBox3d box_;
+};
+
+// Ropes without elements (NodeLook::rope): a drawstring through rings, a tether on a drum. Each has a mesh of its own
+// with the name of its group. Its nodes are joints that move without turning, each with an octahedron whose corners lie
+// on the world's axes; between two nodes it is the straight tube that one octahedron sweeps on its way to the other. So
+// it hides the cord beside which it runs. Slack ropes are straight as well: how they hang is not known.
+class AnimatedRopes {
+ public:
+  explicit AnimatedRopes(const Structure& structure);
+
+  void add_key(const Snapshot& snapshot);
+  // `width`: of the tubes, m; it appears as 0.58 (1/sqrt 3) or more of it.
+  void add_to(GltfDocument& document, const Palette& palette, double width) const;
+  // Around all keys, m, world; empty without ropes.
+  const Eigen::AlignedBox3d& box() const { return box_; }
+
+ private:
+  struct Rope {
+    std::string name;
+    std::vector<std::int32_t> nodes;
+    std::vector<GltfTrack> joints;  // by nodes
+  };
+
+  std::vector<Rope> ropes_;
   Eigen::AlignedBox3d box_;
 };
 

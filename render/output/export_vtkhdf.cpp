@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <list>
+
 #include "engine/base/folder.h"
 #include "engine/base/whole_file.h"
 #include "engine/state/written_time.h"
@@ -12,20 +14,44 @@
 namespace netpocket {
 namespace {
 
-void name_parts(const Structure& structure, VtkHdfSeries& lines, VtkHdfSeries& bodies) {
-  std::vector<std::string> groups, names;
-  for (const ElementGroup& group : structure.element_groups) groups.push_back(group.name);
-  for (const StructureBody& body : structure.bodies) names.push_back(body.name);
-  lines.add_texts("groups", "by the cell array group", groups);
-  lines.add_texts("threads", "by the cell array thread", structure.threads);
-  bodies.add_texts("bodies", "by the cell array body", names);
+struct PartSeries {
+  explicit PartSeries(RunPart made_of) : part(made_of) {}
+
+  RunPart part;
+  VtkHdfSeries series;
+};
+
+template <typename Items>
+std::vector<std::string> names_of(const Items& items) {
+  std::vector<std::string> names;
+  for (const auto& item : items) names.push_back(item.name);
+  return names;
+}
+
+void add_names(const Structure& structure, PartSeries& made) {
+  switch (made.part) {
+    case RunPart::lines:
+      made.series.add_texts("groups", "by the cell array group", names_of(structure.element_groups));
+      made.series.add_texts("threads", "by the cell array thread", structure.threads);
+      break;
+    case RunPart::bodies:
+      made.series.add_texts("bodies", "by the cell array body", names_of(structure.bodies));
+      break;
+    case RunPart::ropes:
+      made.series.add_texts("ropes", "by the cell array rope", names_of(rope_groups(structure)));
+      break;
+  }
+}
+
+std::string file_of(RunPart part, const std::string& folder) {
+  return fmt::format("{}/{}.vtkhdf", folder, run_part_name(part));
 }
 
 }  // namespace
 
 std::vector<std::string> vtkhdf_files(const Recording& recording, const std::string& folder) {
-  std::vector<std::string> files = {folder + "/lines.vtkhdf"};
-  if (!recording.structure().bodies.empty()) files.push_back(folder + "/bodies.vtkhdf");
+  std::vector<std::string> files;
+  for (const RunPart part : run_parts(recording.structure())) files.push_back(file_of(part, folder));
   return files;
 }
 
@@ -36,19 +62,19 @@ RenderOutcome export_vtkhdf(const Recording& recording, const std::string& folde
   const Structure& structure = recording.structure();
   const ElementCurve curve(1);
   const ProgressMeter meter(recording.frame_count(), progress);
-  VtkHdfSeries lines, bodies;
+  std::list<PartSeries> parts;  // stay where they are
+  for (const RunPart part : run_parts(structure)) parts.emplace_back(part);
   for (std::size_t frame = 0; frame < recording.frame_count(); ++frame) {
     if (stop.stop_requested()) return RenderOutcome::cancelled;
     const Snapshot snapshot = recording.frame(frame);
     const double time = written_time(snapshot.time);
-    lines.add(time, *line_mesh(structure, snapshot, curve));
-    if (!structure.bodies.empty()) bodies.add(time, *body_meshes(structure, snapshot));
+    for (auto& [part, series] : parts) series.add(time, *part_mesh(part, structure, snapshot, curve));
     meter.report(frame + 1);
   }
-  name_parts(structure, lines, bodies);
-  const auto files = vtkhdf_files(recording, folder);
-  write_whole_file(files.front(), FileKind::vtkhdf, lines.bytes());
-  if (files.size() > 1) write_whole_file(files.back(), FileKind::vtkhdf, bodies.bytes());
+  for (PartSeries& made : parts) {
+    add_names(structure, made);
+    write_whole_file(file_of(made.part, folder), FileKind::vtkhdf, made.series.bytes());
+  }
   return RenderOutcome::finished;
 }
 

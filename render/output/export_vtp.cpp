@@ -36,17 +36,17 @@ RenderOutcome export_vtp(const Recording& recording, const std::string& folder, 
   const auto& structure = recording.structure();
   const ElementCurve curve(options.segments);
   const ProgressMeter meter(recording.frame_count(), progress);
+  const std::vector<RunPart> parts = run_parts(structure);
   std::string entries;
   std::size_t frame = 0;
   for (; frame < recording.frame_count() && !stop.stop_requested(); ++frame) {
     const auto snapshot = recording.frame(frame);
-    const auto lines = vtp_file_name("lines", frame), bodies = vtp_file_name("bodies", frame);
-    write_vtp(line_mesh(structure, snapshot, curve), folder + "/" + lines);
-    if (!structure.bodies.empty()) write_vtp(body_meshes(structure, snapshot), folder + "/" + bodies);
     const double time = written_time(snapshot.time);
-    entries += fmt::format("    <DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", time, lines);
-    if (!structure.bodies.empty()) {
-      entries += fmt::format("    <DataSet timestep=\"{}\" part=\"1\" file=\"{}\"/>\n", time, bodies);
+    for (const RunPart part : parts) {
+      const std::string file = vtp_file_name(run_part_name(part), frame);
+      write_vtp(part_mesh(part, structure, snapshot, curve), folder + "/" + file);
+      entries +=
+          fmt::format("    <DataSet timestep=\"{}\" part=\"{}\" file=\"{}\"/>\n", time, static_cast<int>(part), file);
     }
     meter.report(frame + 1);
   }

@@ -55,7 +55,7 @@ std::optional<Image> draw_sheet(const std::vector<const Recording*>& recordings,
   RunView view = options.view;
   // Without a legend nothing stands beside the pocket.
   if (view.frame.scene.color_by == ColorBy::none) view.share = {0.96, 0.92};
-  view = common_view(recordings, view);
+  view = common_view(recordings, view, times);
   SheetLayout layout = options.layout;
   // Captions of small panels must not run into each other.
   layout.caption_size = std::min(layout.caption_size, std::max(8, view.frame.width / 16));

@@ -11,6 +11,9 @@
 #include <vtkPoints.h>
 #include <vtkStringArray.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "render/scene/body_mesh.h"
 
 namespace netpocket {
@@ -27,6 +30,15 @@ vtkSmartPointer<Array> make_array(const char* name, int components, vtkIdType tu
 
 void set_column(vtkFloatArray& array, vtkIdType tuple, const Eigen::Vector3d& value) {
   array.SetTuple(tuple, value.data());
+}
+
+// The names of groups as field data.
+template <typename Groups>
+void add_names(const char* name, const Groups& groups, vtkPolyData& mesh) {
+  const auto names = vtkSmartPointer<vtkStringArray>::New();
+  names->SetName(name);
+  for (const auto& group : groups) names->InsertNextValue(group.name);
+  mesh.GetFieldData()->AddArray(names);
 }
 
 // Positions and velocities along the elements, a line for each.
@@ -70,10 +82,7 @@ void add_element_data(const Structure& structure, const Snapshot& snapshot, vtkP
                               static_cast<vtkDataArray*>(group), static_cast<vtkDataArray*>(thread)}) {
     mesh.GetCellData()->AddArray(array);
   }
-  const auto names = vtkSmartPointer<vtkStringArray>::New();
-  names->SetName("groups");
-  for (const ElementGroup& group : structure.element_groups) names->InsertNextValue(group.name);
-  mesh.GetFieldData()->AddArray(names);
+  add_names("groups", structure.element_groups, mesh);
 }
 
 // A surface in body axes, brought to a pose: points and normals. Its colours are for our own pictures.
@@ -99,11 +108,66 @@ vtkSmartPointer<vtkPolyData> placed(vtkPolyData& surface, const BodyState& state
 
 }  // namespace
 
+std::string run_part_name(RunPart part) {
+  switch (part) {
+    case RunPart::bodies:
+      return "bodies";
+    case RunPart::ropes:
+      return "ropes";
+    case RunPart::lines:
+      break;
+  }
+  return "lines";
+}
+
+std::vector<RunPart> run_parts(const Structure& structure) {
+  std::vector<RunPart> parts = {RunPart::lines};
+  if (!structure.bodies.empty()) parts.push_back(RunPart::bodies);
+  if (!rope_groups(structure).empty()) parts.push_back(RunPart::ropes);
+  return parts;
+}
+
 vtkSmartPointer<vtkPolyData> line_mesh(const Structure& structure, const Snapshot& snapshot,
                                        const ElementCurve& curve) {
   auto mesh = vtkSmartPointer<vtkPolyData>::New();
   add_curves(structure, snapshot, curve, *mesh);
   add_element_data(structure, snapshot, *mesh);
+  return mesh;
+}
+
+std::vector<NodeGroup> rope_groups(const Structure& structure) {
+  std::vector<NodeGroup> groups;
+  std::ranges::copy_if(structure.node_groups, std::back_inserter(groups),
+                       [](const NodeGroup& group) { return group.look == NodeLook::rope && group.nodes.size() > 1; });
+  return groups;
+}
+
+vtkSmartPointer<vtkPolyData> rope_mesh(const Structure& structure, const Snapshot& snapshot) {
+  const std::vector<NodeGroup> ropes = rope_groups(structure);
+  vtkIdType point_count = 0;
+  for (const NodeGroup& rope : ropes) point_count += static_cast<vtkIdType>(rope.nodes.size());
+  const auto positions = make_array<vtkFloatArray>("Points", 3, point_count);
+  const auto velocities = make_array<vtkFloatArray>("velocity", 3, point_count);
+  const auto index = make_array<vtkIntArray>("rope", 1, static_cast<vtkIdType>(ropes.size()));
+  vtkNew<vtkCellArray> lines;
+  vtkIdType point = 0;
+  for (std::size_t i = 0; i < ropes.size(); ++i) {
+    index->SetValue(static_cast<vtkIdType>(i), static_cast<int>(i));
+    lines->InsertNextCell(static_cast<int>(ropes[i].nodes.size()));
+    for (const std::int32_t node : ropes[i].nodes) {
+      set_column(*positions, point, snapshot.positions.col(node));
+      set_column(*velocities, point, snapshot.velocities.col(node));
+      lines->InsertCellPoint(point++);
+    }
+  }
+  vtkNew<vtkPoints> points;
+  points->SetData(positions);
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  mesh->SetPoints(points);
+  mesh->SetLines(lines);
+  mesh->GetPointData()->AddArray(velocities);
+  mesh->GetCellData()->AddArray(index);
+  add_names("ropes", ropes, *mesh);
   return mesh;
 }
 
@@ -118,6 +182,19 @@ vtkSmartPointer<vtkPolyData> body_meshes(const Structure& structure, const Snaps
   }
   append->Update();
   return append->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> part_mesh(RunPart part, const Structure& structure, const Snapshot& snapshot,
+                                       const ElementCurve& curve) {
+  switch (part) {
+    case RunPart::bodies:
+      return body_meshes(structure, snapshot);
+    case RunPart::ropes:
+      return rope_mesh(structure, snapshot);
+    case RunPart::lines:
+      break;
+  }
+  return line_mesh(structure, snapshot, curve);
 }
 
 }  // namespace netpocket

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <set>
 
 #include "engine/scenario/read_scenario.h"
 #include "render/render_error.h"
@@ -46,26 +47,38 @@ RunView completed(const Recording& recording, const RunView& view) {
   return complete;
 }
 
-// What is visible at the start, at the end and at moments between: a view of it serves the whole run. A thrown net is
-// largest in the middle of its flight.
-Eigen::Matrix3Xd run_points(const std::vector<const Recording*>& recordings) {
+Eigen::Vector3d followed_position(const Structure& structure, const Snapshot& snapshot) {
+  const auto target = std::ranges::find(structure.bodies, BodyRole::target, &StructureBody::role);
+  if (target != structure.bodies.end()) return snapshot.bodies[target - structure.bodies.begin()].position;
+  return snapshot.positions.rowwise().mean();
+}
+
+// Frames by which a run is framed: at the given times, and evenly from the first to the last one. A thrown net is
+// largest in its flight, a short time at the start of a long run: more frames lie there.
+std::set<std::size_t> framed_by(const Recording& recording, const std::vector<double>& times) {
+  constexpr std::size_t kEven = 12, kEarly = 24;
+  const std::size_t last = recording.frame_count() - 1;
+  std::set<std::size_t> frames;
+  for (std::size_t i = 0; i <= kEven; ++i) frames.insert(i * last / kEven);
+  for (std::size_t i = 0; i <= kEarly; ++i) frames.insert(i * i * last / (kEarly * kEarly));
+  for (const double time : times) frames.insert(recording.frame_at(time));
+  return frames;
+}
+
+// What must be in the picture, m: in the world, or from the followed body's centre.
+Eigen::Matrix3Xd run_points(const std::vector<const Recording*>& recordings, const std::vector<double>& times,
+                            bool followed) {
   Eigen::Matrix3Xd points(3, 0);
   for (const auto* recording : recordings) {
-    constexpr std::size_t kMoments = 12;
-    for (std::size_t i = 0; i <= kMoments; ++i) {
-      const std::size_t frame = i * (recording->frame_count() - 1) / kMoments;
-      const auto more = visible_points(recording->structure(), recording->frame(frame));
+    for (const std::size_t frame : framed_by(*recording, times)) {
+      const Snapshot snapshot = recording->frame(frame);
+      Eigen::Matrix3Xd more = visible_points(recording->structure(), snapshot);
+      if (followed) more.colwise() -= followed_position(recording->structure(), snapshot);
       points.conservativeResize(3, points.cols() + more.cols());
       points.rightCols(more.cols()) = more;
     }
   }
   return points;
-}
-
-Eigen::Vector3d followed_position(const Structure& structure, const Snapshot& snapshot) {
-  const auto target = std::ranges::find(structure.bodies, BodyRole::target, &StructureBody::role);
-  if (target != structure.bodies.end()) return snapshot.bodies[target - structure.bodies.begin()].position;
-  return snapshot.positions.rowwise().mean();
 }
 
 }  // namespace
@@ -76,7 +89,7 @@ SceneHistory recorded_history(const Recording& recording) {
           })};
 }
 
-RunView common_view(const std::vector<const Recording*>& recordings, RunView view) {
+RunView common_view(const std::vector<const Recording*>& recordings, RunView view, const std::vector<double>& times) {
   for (const auto* recording : recordings) {
     if (recording->frame_count() == 0) throw RenderError(fmt::format("{} has no frame to draw", recording->path()));
   }
@@ -91,9 +104,11 @@ RunView common_view(const std::vector<const Recording*>& recordings, RunView vie
     const auto high = [](const auto&, const auto& snapshot) { return high_contact_force(snapshot); };
     scene.arrow_force = round_up(sampled_mean(recordings, high));
   }
-  if (!view.view && view.camera != CameraPreset::follow) {
+  const bool follows = view.camera == CameraPreset::follow;
+  std::optional<CameraView>& framed = follows ? view.followed_view : view.view;
+  if (!view.view && !framed) {
     const double aspect = static_cast<double>(view.frame.width) / view.frame.height;
-    view.view = frame_view(view.camera, run_points(recordings), aspect, view.share);
+    framed = frame_view(view.camera, run_points(recordings, times, follows), aspect, view.share);
   }
   return view;
 }
@@ -101,28 +116,23 @@ RunView common_view(const std::vector<const Recording*>& recordings, RunView vie
 RunRenderer::RunRenderer(const Recording& recording, const RunView& view)
     : recording_(recording),
       complete_(completed(recording, view)),
-      renderer_(make_gl_host(complete_.backend), recording.structure(), complete_.frame),
-      follows_(!complete_.view) {
-  const auto first = recording.frame(0);
-  followed_from_ = followed_position(recording.structure(), first);
-  view_ = complete_.view.value_or(
-      frame_view(complete_.camera, visible_points(recording.structure(), first), renderer_.aspect(), complete_.share));
-  renderer_.set_view(view_);
+      renderer_(make_gl_host(complete_.backend), recording.structure(), complete_.frame) {
+  if (complete_.view) renderer_.set_view(*complete_.view);
   const auto& scene = complete_.frame.scene;
   if (scene.trails || scene.ghost) renderer_.scene().set_history(recorded_history(recording));
 }
 
 DrawnFrame RunRenderer::draw(double time, DrawnFrame used) {
   const auto snapshot = recording_.frame(recording_.frame_at(time));
-  if (follows_) aim(snapshot);
+  if (!complete_.view) aim(snapshot);
   return renderer_.draw(snapshot, std::move(used));
 }
 
 void RunRenderer::aim(const Snapshot& snapshot) {
-  const Eigen::Vector3d moved = followed_position(recording_.structure(), snapshot) - followed_from_;
-  CameraView view = view_;
-  view.position += moved;
-  view.focal_point += moved;
+  const Eigen::Vector3d followed = followed_position(recording_.structure(), snapshot);
+  CameraView view = complete_.followed_view.value();
+  view.position += followed;
+  view.focal_point += followed;
   renderer_.set_view(view);
 }
 

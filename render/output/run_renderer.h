@@ -13,13 +13,17 @@ struct RunView {
   FrameOptions frame;  // absent ranges of colours and arrows and times of phases are taken from the run
   CameraPreset camera = CameraPreset::iso;
   FramingShare share;
-  std::optional<CameraView> view;  // instead of a preset
+  std::optional<CameraView> view;           // instead of a preset
+  std::optional<CameraView> followed_view;  // of the preset `follow`: with the followed body's centre as the origin
   GlBackend backend = GlBackend::automatic;
 };
 
-// The view with everything filled in that pictures of these runs must have in common: ranges of colours and arrows and,
-// unless it follows the target, where they are looked at from. Throws RenderError when a recording has no frame.
-RunView common_view(const std::vector<const Recording*>& recordings, RunView view);
+// The view with everything filled in that pictures of these runs must have in common: ranges of colours and arrows, and
+// where they are looked at from. What is seen at `times` (s) is in the picture as a whole; of the rest of the runs,
+// what is seen at moments that are chosen evenly, and closer at the start. Throws RenderError when a recording has no
+// frame.
+RunView common_view(const std::vector<const Recording*>& recordings, RunView view,
+                    const std::vector<double>& times = {});
 
 // What trails and ghost are drawn from.
 SceneHistory recorded_history(const Recording& recording);
@@ -42,9 +46,6 @@ class RunRenderer {
   const Recording& recording_;
   RunView complete_;
   FrameRenderer renderer_;
-  CameraView view_;
-  bool follows_;
-  Eigen::Vector3d followed_from_;  // m, where the followed body was when the view was framed
 };
 
 }  // namespace netpocket

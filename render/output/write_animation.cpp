@@ -14,7 +14,7 @@
 namespace netpocket {
 namespace {
 
-constexpr double kCordWidth = 1.5e-3;  // of what the cords span, so that they can be seen as a whole
+constexpr double kCordWidth = 1.5e-3;  // of what cords and ropes span, so that they can be seen as a whole
 
 // What the scene draws of a body, in body axes.
 std::vector<std::size_t> body_meshes_in(GltfDocument& document, const PocketScene& scene, const std::string& body) {
@@ -45,6 +45,7 @@ RenderOutcome write_animation(const Recording& recording, const std::string& pat
   const Structure& structure = recording.structure();
   const ProgressMeter meter(frames.size(), progress);
   AnimatedCords cords(structure);
+  AnimatedRopes ropes(structure);
   AnimatedTubes tubes(structure);
   std::vector<GltfTrack> bodies;
   for (const StructureBody& body : structure.bodies) bodies.push_back({body.name, {}, {}});
@@ -54,6 +55,7 @@ RenderOutcome write_animation(const Recording& recording, const std::string& pat
     const Snapshot snapshot = recording.frame(frame);
     times.push_back(static_cast<float>(written_time(snapshot.time)));
     cords.add_key(snapshot);
+    ropes.add_key(snapshot);
     tubes.add_key(snapshot);
     for (std::size_t i = 0; i < bodies.size(); ++i)
       bodies[i].add(snapshot.bodies[i].position, snapshot.bodies[i].attitude);
@@ -66,7 +68,10 @@ RenderOutcome write_animation(const Recording& recording, const std::string& pat
   document.set_keys(times);
   for (const GltfTrack& body : bodies) document.add_moving(body, body_meshes_in(document, scene, body.name));
   tubes.add_to(document, palette(look.background));
-  cords.add_to(document, palette(look.background), kCordWidth * cords.extent());
+  const Eigen::AlignedBox3d box = cords.box().merged(ropes.box());
+  const double width = box.isEmpty() ? 0 : kCordWidth * box.sizes().maxCoeff();
+  cords.add_to(document, palette(look.background), width);
+  ropes.add_to(document, palette(look.background), 2 * width);
   write_whole_file(path, FileKind::gltf, document.bytes());
   return RenderOutcome::finished;
 }

@@ -1,9 +1,11 @@
-"""A short recording that is exported."""
+"""Short recordings that are exported."""
 
 import os
 import pathlib
 import subprocess
 
+import h5py
+import numpy as np
 import pytest
 
 SCENARIOS = pathlib.Path(os.environ["NETPOCKET_SOURCE"]) / "scenarios"
@@ -23,3 +25,22 @@ def recording(tmp_path_factory):
     netpocket("run", SCENARIOS / "case1.toml", "-o", path, "--quiet", "--until", 2, "--set", "pocket.elements_per_side=1",
               "--set", "target.spin=[0,0.2,0.05]", "--set", "target.velocity=[0.1,0,-0.05]")
     return path
+
+
+@pytest.fixture(scope="session")
+def roped(tmp_path_factory):
+    """A net that is thrown, 12 s: its drawstring runs through rings, its tether off a drum."""
+    path = tmp_path_factory.mktemp("roped") / "run.h5"
+    netpocket("run", SCENARIOS / "thrown_net_winch.toml", "-o", path, "--quiet", "--until", 12, "--set", "net.cells=6",
+              "--set", 'drawstring.passage="rings"')
+    return path
+
+
+def ropes_of(path):
+    """Names and nodes of a recording's ropes without elements, which have the look 4 (node_group_look)."""
+    with h5py.File(path) as run:
+        structure = run["structure"]
+        names = [text.rstrip(b"\0").decode() for text in structure["node_group_names"][:]]
+        ends = np.cumsum(structure["node_group_size"][:])
+        nodes = np.split(structure["node_group_nodes"][:], ends[:-1])
+        return {name: list(of) for name, of, look in zip(names, nodes, structure["node_group_look"][:]) if look == 4}

@@ -3,7 +3,7 @@
 import h5py
 import numpy as np
 import pytest
-from conftest import netpocket
+from conftest import netpocket, ropes_of
 from gltf_reader import Gltf, rotation_matrix
 
 KEYS = 12
@@ -99,6 +99,83 @@ def test_rods_have_their_thickness_about_their_axes(scene, run):
         for node in np.unique(ends):
             place = run["frames/position"][frame_at(run, time)][node]
             assert np.linalg.norm(centers - place, axis=1).min() < 1e-5
+
+
+@pytest.fixture(scope="module")
+def roped_scene(roped, tmp_path_factory):
+    file = tmp_path_factory.mktemp("roped") / "run.glb"
+    netpocket("export", roped, "--gltf", file, "--keys", KEYS, "--quiet")
+    return Gltf(file)
+
+
+def rope_points(scene, name, time):
+    """Points of a rope's tube at a time, by node of the recording."""
+    (points, joints), = scene.skinned(name, time)
+    places = {}
+    for point, joint in zip(points, joints):
+        owner, node = scene.nodes[joint]["name"].split(", node ")
+        assert owner == name
+        places.setdefault(int(node), []).append(point)
+    return {node: np.array(of) for node, of in places.items()}
+
+
+def test_ropes_run_through_their_rings(roped_scene, roped):
+    ropes = ropes_of(roped)
+    assert sorted(ropes) == ["drawstring 1", "drawstring 2", "drawstring 3", "drawstring 4", "wound tether"]
+    times = roped_scene.times().astype(float)
+    with h5py.File(roped) as run:
+        for name, nodes in ropes.items():
+            assert len(nodes) == (2 if name == "wound tether" else 7)
+            for first, second in zip(times[:-1:3], times[1::3]):
+                a, b = (run["frames/position"][frame_at(run, time)][nodes] for time in (first, second))
+                for share in [0, 0.25, 1]:
+                    places = rope_points(roped_scene, name, first + share * (second - first))
+                    assert list(places) == nodes
+                    middles = np.array([points.mean(axis=0) for points in places.values()])
+                    np.testing.assert_allclose(middles, (1 - share) * a + share * b, atol=1e-5)
+            whole = run["frames/position"][:][:, nodes]
+            assert np.linalg.norm(whole[-1] - whole[0], axis=1).max() > 1, "nothing moves"
+
+
+def test_a_rope_is_a_closed_tube_from_ring_to_ring(roped_scene, roped):
+    """Seen along any part: about its middle the tube goes once round, and its walls reach from ring to ring."""
+    for name, nodes in ropes_of(roped).items():
+        node = roped_scene.nodes[roped_scene.node(name)]
+        primitive, = roped_scene.json["meshes"][node["mesh"]]["primitives"]
+        triangles = roped_scene.values(primitive["indices"]).reshape(-1, 3)
+        of_point = roped_scene.values(primitive["attributes"]["JOINTS_0"])[:, 0].astype(int)
+        assert np.all(np.ptp(of_point[triangles], axis=1) == 1), "each triangle joins a ring to the next"
+        time = float(roped_scene.times()[-1])
+        (points, _), = roped_scene.skinned(name, time)
+        middles = np.array([of.mean(axis=0) for of in rope_points(roped_scene, name, time).values()])
+        radii = np.linalg.norm(points - middles[of_point], axis=1)
+        np.testing.assert_allclose(radii, radii[0], rtol=2e-3)
+        for part in range(len(nodes) - 1):
+            here = triangles[of_point[triangles].min(axis=1) == part]
+            middle, along = middles[part : part + 2].mean(axis=0), middles[part + 1] - middles[part]
+            # Rays across the part from its middle: each leaves through a wall.
+            across = np.cross(along, [0.3, 0.5, -0.8])
+            for angle in np.linspace(0, 2 * np.pi, 12, endpoint=False):
+                ray = np.cos(angle) * across / np.linalg.norm(across) + np.sin(angle) * np.cross(
+                    along / np.linalg.norm(along), across / np.linalg.norm(across))
+                assert crosses(middle, ray, points[here], radii[0]), (name, part, angle)
+
+
+def crosses(start, ray, triangles, reach):
+    """Whether a ray meets one of the triangles within `reach` (Moeller and Trumbore)."""
+    for a, b, c in triangles:
+        matrix = np.column_stack([b - a, c - a, -ray])
+        if abs(np.linalg.det(matrix)) < 1e-15:
+            continue
+        u, v, t = np.linalg.solve(matrix, start - a)
+        if min(u, v) > -1e-6 and u + v < 1 + 1e-6 and 0 < t < 1.01 * reach:
+            return True
+    return False
+
+
+def test_runs_without_such_ropes_have_no_mesh_for_them(scene, recording):
+    assert not ropes_of(recording)
+    assert sorted(skin["name"] for skin in scene.json["skins"]) == ["cords", "rods"]
 
 
 def test_bodies_move_and_turn(scene, run):

@@ -2,7 +2,7 @@
 
 import pytest
 from conftest import netpocket
-from vtkhdf_layout import check_bodies, check_layout, check_lines, check_with_vtk
+from vtkhdf_layout import check_bodies, check_layout, check_lines, check_ropes, check_with_vtk
 
 
 @pytest.fixture(scope="module")
@@ -29,6 +29,32 @@ def test_bodies_are_in_their_places(folder, recording):
 def test_vtk_reads_it(folder, part):
     if not check_with_vtk(folder / f"{part}.vtkhdf"):
         pytest.skip("VTK before 9.3 reads no time steps of poly data")
+
+
+@pytest.fixture(scope="module")
+def roped_folder(roped, tmp_path_factory):
+    place = tmp_path_factory.mktemp("roped")
+    netpocket("export", roped, "--vtkhdf", place, "--quiet")
+    return place
+
+
+@pytest.mark.parametrize("part", ["lines", "bodies", "ropes"])
+def test_with_ropes_it_follows_the_layout(roped_folder, part):
+    check_layout(roped_folder / f"{part}.vtkhdf")
+
+
+def test_ropes_run_through_their_rings(roped_folder, roped):
+    check_ropes(roped_folder / "ropes.vtkhdf", roped)
+    check_lines(roped_folder / "lines.vtkhdf", roped)
+
+
+def test_vtk_reads_ropes(roped_folder):
+    if not check_with_vtk(roped_folder / "ropes.vtkhdf"):
+        pytest.skip("VTK before 9.3 reads no time steps of poly data")
+
+
+def test_without_ropes_there_is_no_file_of_them(folder):
+    assert sorted(file.name for file in folder.iterdir()) == ["bodies.vtkhdf", "lines.vtkhdf"]
 
 
 def test_is_replaced_by_its_like_only(folder, recording, tmp_path):

@@ -5,6 +5,7 @@ Source: "VTKHDF File Format" 2.0 (docs.vtk.org, VTK File Formats): PolyData, and
 
 import h5py
 import numpy as np
+from conftest import ropes_of
 
 TOPOLOGIES = ["Vertices", "Lines", "Polygons", "Strips"]
 COUNTS = ["NumberOfCells", "NumberOfConnectivityIds"]
@@ -103,6 +104,24 @@ def check_bodies(path, recording):
                 before = first["points"][used].astype(float)
                 np.testing.assert_allclose(np.linalg.norm(points - points[0], axis=1),
                                            np.linalg.norm(before - before[0], axis=1), atol=1e-5)
+
+
+def check_ropes(path, recording):
+    """Each rope without elements is a line through its nodes, in all steps."""
+    ropes = ropes_of(recording)
+    with h5py.File(path) as file, h5py.File(recording) as run:
+        frames = len(run["frames/step"])
+        assert file["VTKHDF/Steps"].attrs["NSteps"] == frames
+        np.testing.assert_allclose(file["VTKHDF/Steps/Values"][:], run["frames/channels"][:, 0], atol=1e-6)
+        assert [text.rstrip(b"\0").decode() for text in file["netpocket/ropes"][:]] == list(ropes)
+        for frame in range(frames):
+            mesh = read_step(path, frame)
+            assert len(mesh["Lines"]) == len(ropes)
+            assert list(mesh["CellData"]["rope"]) == list(range(len(ropes)))
+            for line, nodes in zip(mesh["Lines"], ropes.values()):
+                np.testing.assert_allclose(mesh["points"][line], run["frames/position"][frame][nodes], atol=2e-6)
+                np.testing.assert_allclose(mesh["PointData"]["velocity"][line], run["frames/velocity"][frame][nodes],
+                                           atol=2e-6)
 
 
 def read_with_vtk(path):

@@ -196,8 +196,9 @@ TEST(Plot, WritesTheNumbersBesideTheFigure) {
       table.starts_with("panel,title,curve,x_axis,x,y_axis,y\n1,Largest tension in a net cord,"
                         "case1: rope_tension_max,Time t (s),0,Tension (N),"))
       << table.substr(0, 200);
-  // Two curves; a header line each.
-  EXPECT_EQ(lines(table) - 1, 2 * (lines(content(folder.file("channels/channels.csv"))) - 1));
+  // Two curves and their peaks; a header line each.
+  EXPECT_EQ(lines(table) - 1, 2 * (lines(content(folder.file("channels/channels.csv"))) - 1) + 2);
+  EXPECT_NE(table.find("case1: largest closing_tension"), table.npos);
   // A table of the user's is not overwritten by something else.
   std::ofstream(folder.file("figures/tension.csv")) << "%PDF-1.5";
   const auto refused =

@@ -38,8 +38,9 @@ class VtpSeries : public testing::Test {
   }
 
   // Frames at 0 to 5 s, as a sum of steps gives them; the target has tumbled.
-  void record(const Shape& target) const {
-    const auto structure = synthetic::make_structure(target);
+  void record(const Shape& target, const std::vector<NodeGroup>& more = {}) const {
+    auto structure = synthetic::make_structure(target);
+    structure.node_groups.insert(structure.node_groups.end(), more.begin(), more.end());
     Recorder recorder(file(), {}, structure, true);
     for (int i = 0; i <= 5; ++i) {
       auto frame = synthetic::make_snapshot(structure, i - 1e-13 * i, i / 10.0);
@@ -95,6 +96,50 @@ TEST_F(VtpSeries, CanBeReadAgain) {
   // The frame's time, although the recording holds a sum of steps.
   EXPECT_NE(index.str().find("<DataSet timestep=\"4\" part=\"0\" file=\"lines_0004.vtp\"/>"), std::string::npos)
       << index.str();
+}
+
+TEST_F(VtpSeries, RopesRunThroughTheirNodes) {
+  const std::vector<NodeGroup> ropes = {{"drawstring 1", NodeLook::rope, {7, 40, 3, 12}},
+                                        {"corners", NodeLook::nothing, {1, 2, 3}},
+                                        {"wound tether", NodeLook::rope, {5, 60}}};
+  record(Sphere{4.5}, ropes);
+  const Recording recording(file());
+  const auto folder = folder_ + "/vtp";
+  EXPECT_EQ(export_vtp(recording, folder), RenderOutcome::finished);
+  for (const std::size_t frame : {0, 4, 5}) {
+    const Snapshot snapshot = recording.frame(frame);
+    const auto mesh = read(folder + "/" + vtp_file_name("ropes", frame));
+    ASSERT_EQ(mesh->GetNumberOfLines(), 2);
+    auto* velocity = mesh->GetPointData()->GetArray("velocity");
+    ASSERT_TRUE(velocity);
+    for (const auto& [cell, group] : {std::pair{0, 0}, {1, 2}}) {
+      const auto& nodes = ropes[static_cast<std::size_t>(group)].nodes;
+      auto* points = mesh->GetCell(cell)->GetPointIds();
+      ASSERT_EQ(points->GetNumberOfIds(), static_cast<vtkIdType>(nodes.size()));
+      EXPECT_EQ(mesh->GetCellData()->GetArray("rope")->GetTuple1(cell), cell);
+      for (vtkIdType i = 0; i < points->GetNumberOfIds(); ++i) {
+        const Eigen::Vector3d place = Eigen::Map<const Eigen::Vector3d>(mesh->GetPoint(points->GetId(i)));
+        const Eigen::Vector3d rate = Eigen::Map<const Eigen::Vector3d>(velocity->GetTuple3(points->GetId(i)));
+        EXPECT_LT((place - snapshot.positions.col(nodes[static_cast<std::size_t>(i)])).norm(), 1e-5);
+        EXPECT_LT((rate - snapshot.velocities.col(nodes[static_cast<std::size_t>(i)])).norm(), 1e-6);
+      }
+    }
+    auto* names = vtkStringArray::SafeDownCast(mesh->GetFieldData()->GetAbstractArray("ropes"));
+    ASSERT_TRUE(names);
+    ASSERT_EQ(names->GetNumberOfValues(), 2);
+    EXPECT_EQ(names->GetValue(1), "wound tether");
+  }
+  std::stringstream index;
+  index << std::ifstream(folder + "/netpocket.pvd").rdbuf();
+  EXPECT_NE(index.str().find("<DataSet timestep=\"4\" part=\"2\" file=\"ropes_0004.vtp\"/>"), std::string::npos)
+      << index.str();
+}
+
+TEST_F(VtpSeries, RunsWithoutSuchRopesHaveNoFilesOfThem) {
+  record(Sphere{4.5});
+  export_vtp(Recording(file()), folder_ + "/vtp");
+  EXPECT_TRUE(std::filesystem::exists(folder_ + "/vtp/bodies_0000.vtp"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ + "/vtp/ropes_0000.vtp"));
 }
 
 Eigen::Vector3d vector_of(const double* values) { return {values[0], values[1], values[2]}; }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "engine/recording/recorder.h"
 #include "engine/recording/recording.h"
 #include "engine/scenario/scenario.h"
@@ -9,6 +11,7 @@
 #include "render/output/png_file.h"
 #include "render/output/render_frames.h"
 #include "render/output/render_sheet.h"
+#include "render/output/run_renderer.h"
 #include "render/render_error.h"
 #include "tests/render/picture_checks.h"
 #include "tests/render/synthetic_pocket.h"
@@ -139,6 +142,72 @@ TEST_F(RenderRun, FollowsTheTarget) {
   following.view.camera = CameraPreset::follow;
   EXPECT_EQ(render_frames(recording, {0, 10}, following), RenderOutcome::finished);
   EXPECT_GT(pictures::drawn_fraction(read_png(options().folder + "/0001.png")), 0.05);
+}
+
+// Whether nothing is drawn within some pixels of a picture's edge.
+bool has_empty_edge(const Image& image) {
+  constexpr int kEdge = 3;
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      if (std::min({x, y, image.width - 1 - x, image.height - 1 - y}) >= kEdge) continue;
+      const auto* pixel = image.rgb.data() + static_cast<std::ptrdiff_t>(y) * image.width * 3 + 3 * x;
+      if (!std::equal(pixel, pixel + 3, image.rgb.data())) return false;
+    }
+  }
+  return true;
+}
+
+// A run in which everything moves by many times its size, with a net that is large for a moment.
+class RunWithLargeMoment : public RenderRun {
+ protected:
+  static constexpr int kLargeFrame = 57;
+
+  RunWithLargeMoment() {
+    const auto structure = synthetic::make_structure();
+    Recorder recorder(drifting(), {}, structure, true);
+    for (int i = 0; i <= 200; ++i) {
+      Snapshot snapshot = synthetic::make_snapshot(structure, i, i / 200.0);
+      if (i == kLargeFrame) snapshot.positions *= 2.5;
+      const Eigen::Vector3d moved = i * Eigen::Vector3d(1, 2, -0.5);
+      snapshot.positions.colwise() += moved;
+      for (BodyState& body : snapshot.bodies) body.position += moved;
+      recorder.write(snapshot);
+    }
+    recorder.finish({RunReason::finished, 200, ""}, {});
+  }
+
+  std::string drifting() const { return folder_ + "/drifting.h5"; }
+
+  static RunView bare_view(CameraPreset camera) {
+    RunView view;
+    view.backend = GlBackend::osmesa;
+    view.camera = camera;
+    view.frame.width = 300;
+    view.frame.height = 300;
+    view.share = {0.96, 0.92};  // of sheets
+    view.frame.scene.axes = view.frame.scene.scale_bar = view.frame.scene.time_label = false;
+    return view;
+  }
+};
+
+TEST_F(RunWithLargeMoment, IsWholeAtTheTimesThatAreAskedFor) {
+  const Recording recording(drifting());
+  for (const CameraPreset camera : {CameraPreset::follow, CameraPreset::iso, CameraPreset::side}) {
+    SCOPED_TRACE(static_cast<int>(camera));
+    RunRenderer renderer(recording, common_view({&recording}, bare_view(camera), {0, kLargeFrame, 200}));
+    for (const double time : {0, kLargeFrame, 200}) {
+      const Image image = smooth_frame(renderer.draw(time));
+      EXPECT_TRUE(has_empty_edge(image)) << time;
+      EXPECT_GT(pictures::drawn_fraction(image), camera == CameraPreset::follow ? 0.02 : 0.0002) << time;
+    }
+  }
+}
+
+TEST_F(RunWithLargeMoment, IsClippedWhereNobodyAskedForThatMoment) {
+  const Recording recording(drifting());
+  RunRenderer renderer(recording, bare_view(CameraPreset::follow));
+  EXPECT_FALSE(has_empty_edge(smooth_frame(renderer.draw(kLargeFrame))));
+  EXPECT_TRUE(has_empty_edge(smooth_frame(renderer.draw(kLargeFrame + 1))));
 }
 
 }  // namespace

@@ -15,10 +15,12 @@ NetFlight::NetFlight(const ChannelList& channels)
     : area_(channels.find("net_area")),
       part_(channels.find("net_area_part")),
       distance_(channels.find("net_distance")),
+      mouth_(channels.find("mouth_area")),
       tension_(channels.find(Channel::rope_tension_max)),
       enclosure_(channels.find("enclosure")),
       captured_(channels.find("captured")),
       tether_(channels.find("tether_tension")),
+      drawstring_(channels.find("drawstring_tension")),
       captured_time_(kNever),
       last_enclosure_(kNever) {}
 
@@ -34,6 +36,7 @@ void NetFlight::add(const Snapshot& snapshot, bool is_touched) {
   if (!is_touched) {
     follow_area(snapshot);
     if (value(snapshot, part_) >= kOpenPart) open_time_ += interval;
+    if (mouth_) largest_mouth_ = std::max(largest_mouth_, snapshot.channels[*mouth_]);
     const double tension = value(snapshot, tension_);
     flight_peak_ = std::max(flight_peak_, tension);
     flight_sum_ += tension;
@@ -41,6 +44,13 @@ void NetFlight::add(const Snapshot& snapshot, bool is_touched) {
   }
   follow_capture(snapshot, interval);
   follow_tether(snapshot);
+  if (drawstring_) drawstring_peak_.add(snapshot.channels[*drawstring_], snapshot.time);
+}
+
+void NetFlight::Peak::add(double some, double when) {
+  if (some <= value) return;
+  value = some;
+  time = when;
 }
 
 // The largest area of the first opening. A net that hits its target may also be stretched again by the tow.
@@ -71,7 +81,7 @@ void NetFlight::follow_capture(const Snapshot& snapshot, double interval) {
 void NetFlight::follow_tether(const Snapshot& snapshot) {
   if (!tether_) return;
   const double tension = snapshot.channels[*tether_];
-  tether_peak_ = std::max(tether_peak_, tension);
+  tether_peak_.add(tension, snapshot.time);
   if (tension > 0 && !is_taut_) ++snaps_;
   is_taut_ = tension > 0;
 }
@@ -85,6 +95,10 @@ void NetFlight::list(std::vector<Metric>& list) const {
   list.push_back({"net_area_distance", "m", "how far the net had flown then", largest().distance});
   list.push_back({"net_spread_time", "s", "when its area first was 0.95 of that", spread().time});
   list.push_back({"net_spread_distance", "m", "how far it had flown then", spread().distance});
+  if (mouth_) {
+    list.push_back({"net_mouth_peak", "m^2", "largest area within the net's perimeter before it touches the target",
+                    largest_mouth_});
+  }
   list.push_back({"net_open_time", "s", "for which the net in flight has 0.8 of its flat area or more", open_time_});
   list.push_back({"flight_tension_peak", "N", "largest tension of a net cord before it touches the target",
                   flight_frames_ > 0 ? flight_peak_ : kNever});
@@ -96,10 +110,16 @@ void NetFlight::list(std::vector<Metric>& list) const {
   const double since = held_time_ + lost_time_;
   list.push_back(
       {"captured_share", "1", "of the time since then for which it does", since > 0 ? held_time_ / since : kNever});
-  if (!tether_) return;
-  list.push_back({"tether_tension_peak", "N", "largest tension of the tether at the spacecraft", tether_peak_});
-  list.push_back({"tether_snaps", "1", "frames in which the tether is taut after one in which it was slack",
-                  static_cast<double>(snaps_)});
+  if (tether_) {
+    list.push_back({"tether_tension_peak", "N", "largest tension of the tether at the spacecraft", tether_peak_.value});
+    list.push_back({"tether_tension_peak_time", "s", "when that was", tether_peak_.time});
+    list.push_back({"tether_snaps", "1", "frames in which the tether is taut after one in which it was slack",
+                    static_cast<double>(snaps_)});
+  }
+  if (!drawstring_) return;
+  list.push_back({"drawstring_tension_peak", "N",
+                  "largest tension of the drawstring where it is wound, mean over the sides", drawstring_peak_.value});
+  list.push_back({"drawstring_tension_peak_time", "s", "when that was", drawstring_peak_.time});
 }
 
 }  // namespace netpocket

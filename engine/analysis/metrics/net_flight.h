@@ -1,8 +1,9 @@
 #pragma once
 // Measures of a thrown net: how far it opens, where, how its cords snap taut in flight, whether it keeps what it wraps,
-// and how its tether pulls. From the channels of such a run (systems/thrown_net/thrown_net_channels.h); other runs have
-// none of them.
+// and how its tether and drawstring pull. From the channels of such a run (systems/thrown_net/thrown_net_channels.h);
+// other runs have none of them.
 
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -36,6 +37,14 @@ class NetFlight {
     double area, time, distance;  // m^2, s, m
   };
 
+  // The largest value so far that is above zero, and when it was; NaN: never.
+  struct Peak {
+    double value = 0;
+    double time = std::numeric_limits<double>::quiet_NaN();  // s
+
+    void add(double some, double when);
+  };
+
   double value(const Snapshot& snapshot, std::optional<std::size_t> channel) const;
   Place largest() const { return rises_.empty() ? Place{0, 0, 0} : rises_.back(); }
   Place spread() const;
@@ -43,7 +52,7 @@ class NetFlight {
   void follow_capture(const Snapshot& snapshot, double interval);
   void follow_tether(const Snapshot& snapshot);
 
-  std::optional<std::size_t> area_, part_, distance_, tension_, enclosure_, captured_, tether_;
+  std::optional<std::size_t> area_, part_, distance_, mouth_, tension_, enclosure_, captured_, tether_, drawstring_;
   std::vector<Place> rises_;  // frames of the first opening with a larger area than all before
   double last_time_ = 0;
   bool is_begun_ = false, is_past_ = false;
@@ -51,7 +60,8 @@ class NetFlight {
   double flight_peak_ = 0, flight_sum_ = 0;
   int flight_frames_ = 0;
   double captured_time_, held_time_ = 0, lost_time_ = 0, last_enclosure_;
-  double tether_peak_ = 0;
+  double largest_mouth_ = 0;
+  Peak tether_peak_, drawstring_peak_;
   int snaps_ = 0;
   bool is_taut_ = false;
 };

@@ -31,7 +31,7 @@ class Writer {
 ControlChannels::ControlChannels(ClosedLoop* loop, const WinchControl* winches, const Deflation* deflation,
                                  std::shared_ptr<const CaptureTimes> events, std::int32_t spacecraft)
     : loop_(loop), winches_(winches), deflation_(deflation), events_(std::move(events)), spacecraft_(spacecraft) {
-  if (events_) add(kPhaseChannel, "1", "phase of the capture: 0 open, 1 closing, 2 closed, 3 towing, 4 after towing");
+  if (events_) add(kPhaseChannel, "1", "phase: 0 open, 1 closing, 2 closed, 3 towing, 4 after");
   if (deflation_ != nullptr) add("rod_pressure", "Pa", "pressure of the gas in the rods");
   if (loop_ != nullptr) add_loop();
   if (winches_ != nullptr) add_winches();

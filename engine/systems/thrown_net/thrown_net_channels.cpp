@@ -31,14 +31,14 @@ ThrownNetChannels::ThrownNetChannels(const ThrownNet& net)
       drawstrings_(net.drawstring_count()),
       rings_(drawstrings_ - net.model.ropes.size()) {
   // In the order of `fill`.
-  infos_.push_back({"net_area", "m^2", "area of the net: the sum over triangles between its knots"});
-  infos_.push_back({"net_area_part", "1", "that area by the flat net's"});
-  infos_.push_back({"mouth_area", "m^2", "area that the net's perimeter encloses, as a vector's magnitude"});
-  infos_.push_back({"net_distance", "m", "distance along Y that the middle of the net's knots has flown"});
+  infos_.push_back({"net_area", "m^2", "area of the net, the sum of triangles of knots"});
+  infos_.push_back({"net_area_part", "1", "area of the net by that of the flat net"});
+  infos_.push_back({"mouth_area", "m^2", "vector area of the net's perimeter, magnitude"});
+  infos_.push_back({"net_distance", "m", "flight of the middle of the net's knots along Y"});
   infos_.push_back({"corner_speed", "m/s", "speed of the corner masses, mean"});
   infos_.push_back(channel_info(Channel::rope_tension_max));
-  infos_.push_back({"enclosure", "1", "part of all directions from the target's centre that the net covers"});
-  infos_.push_back({"captured", "1", "1 while that is more than half: the net holds the target (our measure)"});
+  infos_.push_back({"enclosure", "1", "solid angle of the net from the target, by 4 pi"});
+  infos_.push_back({"captured", "1", "1 while enclosure exceeds 0.5: held (our measure)"});
   if (tether_end_ >= 0 || tether_rope_ >= 0) {
     infos_.push_back({"tether_tension", "N", "tension of the tether at the spacecraft"});
   }

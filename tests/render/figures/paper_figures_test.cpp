@@ -91,6 +91,54 @@ TEST_F(PaperFigures, HaveThePanelsAndCurvesOfThePaper) {
   EXPECT_EQ(shape(make_figure("figure09_force", three_cases())), (Shape{1, 1, 1, 2, 2, 2, 1, 1, 1}));
   EXPECT_EQ(shape(make_figure("figure10_target_position", three_cases())), (Shape{2, 2, 2, 2, 2, 2}));
   EXPECT_EQ(shape(make_figure("tension", three_cases())), (Shape{3, 3}));
+  EXPECT_EQ(shape(make_figure("tension", one)), (Shape{2, 2}));  // and their peaks
+}
+
+// A run of another system: three frames, a tether, an area, no closing ropes.
+RunSeries run_of_another_system() {
+  RunSeries run;
+  run.name = "thrown";
+  run.begin(
+      std::make_shared<const ChannelList>(std::vector<ChannelInfo>{{"time", "s", "time"},
+                                                                   channel_info(Channel::rope_tension_max),
+                                                                   {"net_area", "m^2", "area of the net"},
+                                                                   {"spin", "kg m^2/s", ""},
+                                                                   {"tether_tension", "N", "tension of the tether"},
+                                                                   {"drum_torque", "N m", "torque of the drum"}}));
+  run.append({0, 1, 2, 0, 0, 5});
+  run.append({0.5, 7, 3, 1, 1234.56, 6});
+  run.append({1, 2, 4, 0, 0.25, 7});
+  return run;
+}
+
+TEST_F(PaperFigures, HaveAPanelForEachTensionThatARunHas) {
+  const Figure figure = make_figure("tension", {run_of_another_system()});
+  ASSERT_EQ(figure.panels.size(), 2u);  // none for closing ropes, which it has not
+  EXPECT_EQ(figure.panels[0].title, "Largest tension in a net cord");
+  EXPECT_EQ(figure.panels[1].title, "Tension of the tether");
+  ASSERT_EQ(figure.panels[1].curves.size(), 2u);  // and its peak
+  EXPECT_EQ(figure.panels[1].curves[0].y, (std::vector<double>{0, 1234.56, 0.25}));
+  EXPECT_EQ(figure.panels[1].curves[1].label, "1234.6 N at 0.50 s");
+  EXPECT_EQ(figure.panels[0].curves[1].label, "7.00 N at 0.50 s");
+  for (const Panel& panel : make_figure("tension", {run_of_another_system(), run_of_another_system()}).panels) {
+    EXPECT_EQ(panel.curves.size(), 2u);  // a curve for each run
+  }
+}
+
+TEST_F(PaperFigures, RaiseThePowersOfUnits) {
+  const Figure figure = make_figure("own_channels", {run_of_another_system()});
+  ASSERT_EQ(figure.panels.size(), 4u);
+  EXPECT_EQ(figure.panels[0].y.title, "Net area (m^{2})");
+  EXPECT_EQ(figure.panels[1].y.title, "Spin (kg m^{2}/s)");
+  EXPECT_EQ(figure.panels[2].y.title, "Tether tension (N)");
+  EXPECT_EQ(figure.panels[2].curves.back().label, "1234.6 N at 0.50 s");
+  EXPECT_EQ(figure.panels[3].curves.size(), 1u);  // a torque has no mark
+}
+
+TEST_F(PaperFigures, MarkNoPeakWhereThereIsNone) {
+  RunSeries run = run_of_another_system();
+  run.channels[*run.channel_list->find("tether_tension")] = {0, 0, 0};
+  EXPECT_EQ(make_figure("tension", {run}).panels[1].curves.size(), 1u);
 }
 
 TEST_F(PaperFigures, ColourThePhasesAsThePaperDoes) {

@@ -18,13 +18,16 @@ const auto kChannels =
                                                                  channel_info(Channel::rope_tension_max),
                                                                  {"enclosure", "1", ""},
                                                                  {"captured", "1", ""},
-                                                                 {"tether_tension", "N", ""}});
+                                                                 {"tether_tension", "N", ""},
+                                                                 {"mouth_area", "m^2", ""},
+                                                                 {"drawstring_tension", "N", ""}});
 
 Snapshot frame(double time, double part, double tension, double enclosure, double tether) {
   Snapshot snapshot;
   snapshot.time = time;
   snapshot.channel_list = kChannels;
-  snapshot.channels = {time, 100 * part, part, 2 * time, tension, enclosure, enclosure > 0.5 ? 1.0 : 0.0, tether};
+  snapshot.channels = {time,   100 * part, part,      2 * time, tension, enclosure, enclosure > 0.5 ? 1.0 : 0.0,
+                       tether, 40 * part,  4 * tether};
   return snapshot;
 }
 
@@ -60,13 +63,26 @@ TEST(NetFlight, MeasuresFlightCaptureAndTether) {
   EXPECT_EQ(value["captured_time"], 4);
   EXPECT_DOUBLE_EQ(value["captured_share"], 1.0 / 3);
   EXPECT_EQ(value["tether_tension_peak"], 9);
+  EXPECT_EQ(value["tether_tension_peak_time"], 6);
   EXPECT_EQ(value["tether_snaps"], 2);
+  EXPECT_EQ(value["net_mouth_peak"], 40 * 0.92);  // before the tow
+  EXPECT_EQ(value["drawstring_tension_peak"], 36);
+  EXPECT_EQ(value["drawstring_tension_peak_time"], 6);
 }
 
 TEST(NetFlight, OfAnotherSystemHasNothingToSay) {
   NetFlight flight(*known_channels());
   EXPECT_FALSE(flight.is_of_run());
   EXPECT_TRUE(measures(flight).empty());
+}
+
+TEST(NetFlight, SlackLinesHaveNoTimeOfTheirPeak) {
+  NetFlight flight(*kChannels);
+  flight.add(frame(0, 0.1, 0, 0.1, 0), false);
+  auto value = measures(flight);
+  EXPECT_EQ(value["tether_tension_peak"], 0);
+  EXPECT_TRUE(std::isnan(value["tether_tension_peak_time"]));
+  EXPECT_TRUE(std::isnan(value["drawstring_tension_peak_time"]));
 }
 
 TEST(NetFlight, WithoutCaptureDoesNotKnowWhen) {
