@@ -163,6 +163,7 @@ void MainWindow::connect_session() {
     const Run* run = session_->runs().find(id);
     if (run->simulated_here) return;
     if (!document_->is_modified()) document_->start_from(run->scenario);
+    to_be_framed_ = id;
     session_->show_run(id);
   });
 }
@@ -296,6 +297,8 @@ void MainWindow::show_frame(const std::shared_ptr<const Snapshot>& snapshot) {
   view_actions_->set_phases(run->series.phases);
   viewport_->set_pocket(run->structure, snapshot);
   viewport_->set_history(history_.of(*run, view_actions_->options()));
+  // Of another size than what was there, but for a camera that somebody has turned to see something.
+  if (run->id == std::exchange(to_be_framed_, -1) && viewport_->preset()) viewport_->set_preset(*viewport_->preset());
   if (second_view_) second_view_->refresh();
   plots_->set_time(snapshot->time);
   control_->show_frame(run->structure, snapshot);

@@ -194,6 +194,7 @@ class MainWindow : public QMainWindow {
   FirstCapture* first_capture_ = nullptr;
   QWidget* raised_ = nullptr;  // dock that is to be in front once the window is shown
   bool scenario_notice_ = false;
+  RunId to_be_framed_ = -1;     // recording that was opened and not yet seen
   bool shows_nothing_ = false;  // because what was opened cannot be shown
   PresenterKind presenter_;
   ViewHistory history_;  // of the first view
