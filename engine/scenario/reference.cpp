@@ -19,6 +19,8 @@ assumption.
 `system` names the kind of capture system. This page is about `pocket`, the netted pocket; its last part is about
 `thrown_net`, the thrown net.
 
+`target.mesh_file` may also be a PLY or a binary glTF (.glb) file.
+
 This file is generated from the parameter table in engine/scenario/parameters.cpp. A test compares the two;
 `NETPOCKET_RENEW=1 build/tests/test_scenario --gtest_filter='Reference.*'` writes it anew.
 )";

@@ -71,6 +71,7 @@ void LiveResults::append_rows(std::size_t count) {
   results_.points.resize(size, kUnknown);
   results_.captured.resize(size, kUnknown);
   sources_.resize(size);
+  is_draft_.resize(size, 0);
   for (auto* columns : {&results_.inputs, &results_.measures}) {
     for (ResultColumn& column : *columns) column.values.resize(size, kUnknown);
   }
@@ -86,6 +87,10 @@ void LiveResults::write_row(std::size_t row, const StudyRecord& run, const Sourc
   results_.captured[row] = run_number(run, "captured");
   count(1);
   sources_[row] = source;
+  drafts_ -= is_draft_[row] != 0 ? 1 : 0;
+  is_draft_[row] = run.contains("draft") ? 1 : 0;
+  drafts_ += is_draft_[row] != 0 ? 1 : 0;
+  if (is_draft_[row] != 0) draft_notice_ = run["draft"].get<std::string>();
   for (const std::string& key : uncertain_) put(results_.inputs, inputs_, row, key, run_number(run, key));
   for (const char* name : kMeasured) put(results_.measures, measures_, row, name, run_number(run, name));
   if (!run.contains("metrics")) return;

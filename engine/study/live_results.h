@@ -37,6 +37,9 @@ class LiveResults {
   const std::string& first_refusal() const { return first_refusal_; }
   std::int64_t captured() const { return captured_; }  // runs
   std::int64_t judged() const { return judged_; }      // runs: captured or not
+  // Rows that are drafts, and what one of them says of itself (scenario/fidelity.h).
+  std::size_t drafts() const { return drafts_; }
+  const std::string& draft_notice() const { return draft_notice_; }
 
  private:
   using Places = std::map<std::string, std::size_t>;  // indices of columns by name
@@ -59,6 +62,9 @@ class LiveResults {
   std::size_t refused_ = 0, diverged_ = 0, limited_ = 0;
   std::string first_refusal_;
   std::int64_t captured_ = 0, judged_ = 0;
+  std::vector<char> is_draft_;  // by row
+  std::size_t drafts_ = 0;
+  std::string draft_notice_;
 };
 
 }  // namespace netpocket

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/analysis/report.h"
+#include "engine/analysis/run_labels.h"
 #include "gui/commands/command.h"
 #include "gui/commands/recordings.h"
 #include "gui/commands/standard_streams.h"
@@ -15,6 +16,28 @@ struct FindingsChoice {
   std::vector<std::string> recordings;
   bool json = false;
 };
+
+// By the name of the recording.
+std::vector<std::pair<std::string, std::string>> drafts_of(const std::vector<Recording>& recordings) {
+  std::vector<std::pair<std::string, std::string>> drafts;
+  const std::vector<std::string> names = run_labels(pointers(recordings));
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (const std::string& draft = recordings[i].origin().draft; !draft.empty()) drafts.emplace_back(names[i], draft);
+  }
+  return drafts;
+}
+
+std::string text_of(const std::vector<Finding>& findings, const std::vector<Recording>& recordings) {
+  std::string text = findings_text(findings);
+  for (const auto& [name, draft] : drafts_of(recordings)) text += fmt::format("{} is a draft: {}\n", name, draft);
+  return text;
+}
+
+std::string json_of(const std::vector<Finding>& findings, const std::vector<Recording>& recordings) {
+  auto json = findings_json(findings);
+  for (const auto& [name, draft] : drafts_of(recordings)) json["drafts"][name] = draft;
+  return json.dump(2) + "\n";
+}
 
 }  // namespace
 
@@ -36,7 +59,7 @@ Examples:
   return [choice](const std::string&) {
     const std::vector<Recording> recordings = open_recordings(choice->recordings);
     const auto findings = evaluate_findings(pointers(recordings));
-    print(choice->json ? findings_json(findings).dump(2) + "\n" : findings_text(findings));
+    print(choice->json ? json_of(findings, recordings) : text_of(findings, recordings));
     return ExitCode::ok;
   };
 }

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <memory>
 
 #include "engine/analysis/metrics/metrics.h"
@@ -23,7 +25,8 @@ MetricOptions options_of(const Recording& recording) {
 
 std::string output(const MetricsOfRun& run, const MetricsChoice& choice) {
   if (choice.json) return metrics_json(run);
-  return choice.csv ? metrics_csv(run.metrics) : metrics_text(run.metrics);
+  if (choice.csv) return metrics_csv(run.metrics);
+  return metrics_text(run.metrics) + (run.draft.empty() ? "" : "draft: " + run.draft + "\n");
 }
 
 MetricsOfRun measure(const std::string& path) {
@@ -54,7 +57,9 @@ Examples:
 
 )" + exit_code_help({ExitCode::bad_input}));
   return [choice](const std::string&) {
-    print(output(measure(choice->recording), *choice));
+    const MetricsOfRun run = measure(choice->recording);
+    print(output(run, *choice));
+    if (choice->csv && !run.draft.empty()) say(fmt::format("\"{}\" is a draft: {}", choice->recording, run.draft));
     return ExitCode::ok;
   };
 }

@@ -5,6 +5,7 @@
 #include "engine/analysis/run_labels.h"
 #include "engine/base/folder.h"
 #include "engine/base/output_list.h"
+#include "engine/study/draft_runs.h"
 #include "engine/study/study_folder.h"
 #include "engine/study/study_manifest.h"
 #include "gui/commands/command.h"
@@ -18,6 +19,7 @@
 #include "gui/commands/version.h"
 #include "render/figures/figure_table.h"
 #include "render/figures/plot_figures.h"
+#include "render/figures/rich_text.h"
 #include "render/figures/study_figures.h"
 #include "render/report/capture_pictures.h"
 
@@ -111,8 +113,10 @@ ExitCode plot_study(const PlotChoice& choice) {
     outputs.add("--output", files.back(), file_kind(format));
     if (choice.csv) outputs.add("--csv", table_beside(files.back()).string(), FileKind::csv);
   }
+  const std::string drafts = recorded_drafts_text(folder);
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const Figure figure = make_study_figure(names[i], results);
+    Figure figure = make_study_figure(names[i], results);
+    figure.note = plain_text(drafts);
     save_figure(figure, files[i], choice.resolution);
     if (choice.csv) save_figure_csv(figure, table_beside(files[i]));
   }

@@ -108,6 +108,7 @@ bool FileActions::open_preset(const QString& name) {
 }
 
 bool FileActions::save() {
+  if (!commit_()) return false;
   if (document_.path().isEmpty()) return save_as();
   const auto refusal = document_.save();
   if (refusal) emit problem(*refusal);
@@ -115,6 +116,7 @@ bool FileActions::save() {
 }
 
 bool FileActions::save_as() {
+  if (!commit_()) return false;
   const QDir folder(read_preferences(settings_).folder_for_new_files());
   const QString name = document_.path().isEmpty()
                            ? folder.filePath(QString::fromStdString(document_.scenario().name) + ".toml")

@@ -4,6 +4,8 @@
 #include <QObject>
 #include <QSettings>
 #include <QStringList>
+#include <functional>
+#include <utility>
 
 #include "gui/workbench/editor/scenario_document.h"
 
@@ -18,6 +20,9 @@ class FileActions : public QObject {
   Q_OBJECT
  public:
   FileActions(ScenarioDocument& document, QSettings& settings, QWidget* window);
+
+  // To be called before saving: takes over what is being typed, or says why not and returns false.
+  void set_commit(std::function<bool()> commit) { commit_ = std::move(commit); }
 
   // Adds to the menu, before what the window itself adds.
   void fill(QMenu& menu, QToolBar& bar);
@@ -46,6 +51,7 @@ class FileActions : public QObject {
   ScenarioDocument& document_;
   QSettings& settings_;
   QWidget* window_;
+  std::function<bool()> commit_ = [] { return true; };
 };
 
 }  // namespace netpocket

@@ -8,14 +8,10 @@
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QKeyEvent>
-#include <QMimeData>
 #include <QSplitter>
-#include <QUrl>
 #include <algorithm>
 #include <utility>
 
-#include "engine/base/file_kind.h"
-#include "engine/study/study_folder.h"
 #include "gui/workbench/campaign/campaign_actions.h"
 #include "gui/workbench/control/control_actions.h"
 #include "gui/workbench/control/control_panel.h"
@@ -52,24 +48,6 @@ namespace {
 constexpr int kLayoutVersion = 1;
 constexpr const char* kGeometryKey = "window/geometry";
 constexpr const char* kLayoutKey = "window/layout";
-
-bool is_recording(const QString& path) {
-  const QString suffix = QFileInfo(path).suffix().toLower();
-  return suffix == "h5" || suffix == "hdf5" || suffix == "part" || is_recording_file(path.toStdString());
-}
-
-// Any number of recordings, and one scenario. What is neither is opened, too: to be told what is wrong with it.
-QStringList files_to_open(const QMimeData& data) {
-  QStringList recordings, others;
-  for (const QUrl& url : data.urls()) {
-    const QString path = url.toLocalFile();
-    if (path.isEmpty()) continue;
-    (is_recording(path) ? recordings : others) << path;
-  }
-  const auto is_scenario = [](const QString& path) { return QFileInfo(path).suffix().toLower() == "toml"; };
-  std::ranges::stable_partition(others, is_scenario);
-  return recordings + others.mid(0, 1);
-}
 
 std::unique_ptr<QSettings> make_settings(const QString& file) {
   if (file.isEmpty()) return std::make_unique<QSettings>("netpocket", "workbench");
@@ -141,7 +119,7 @@ void MainWindow::connect_document() {
   connect(document_.get(), &ScenarioDocument::path_changed, this, &MainWindow::update_title);
   connect(document_.get(), &ScenarioDocument::changed, this, [this] { preview_->build(document_->scenario()); });
   connect(document_.get(), &ScenarioDocument::changed, this, &MainWindow::withdraw_scenario_notice);
-  connect(editor_->text_page(), &TextPage::problem_changed, this, &MainWindow::withdraw_scenario_notice);
+  connect(editor_->text_page(), &TextPage::problem_changed, this, &MainWindow::text_problem_changed);
   connect(editor_, &ScenarioEditor::preview, preview_.get(), &PreviewBuilder::build);
   connect(editor_, &ScenarioEditor::strategy_edited, this,
           [this] { session_->change_strategy(document_->scenario()); });
@@ -185,6 +163,7 @@ void MainWindow::connect_session() {
     const Run* run = session_->runs().find(id);
     if (run->simulated_here) return;
     if (!document_->is_modified()) document_->start_from(run->scenario);
+    to_be_framed_ = id;
     session_->show_run(id);
   });
 }
@@ -273,10 +252,7 @@ void MainWindow::apply_preferences(const Preferences& preferences) {
 }
 
 std::optional<Scenario> MainWindow::scenario_to_run() {
-  if (!editor_->commit()) {
-    show_scenario_notice(tr("The scenario's text has an error: see the editor."));
-    return std::nullopt;
-  }
+  if (!commit_text()) return std::nullopt;
   const Diagnostics& problems = document_->diagnostics();
   if (!problems.ok()) {
     const Diagnostic& first = problems.list().front();
@@ -286,22 +262,6 @@ std::optional<Scenario> MainWindow::scenario_to_run() {
   }
   show_notice({});
   return document_->scenario();
-}
-
-void MainWindow::open(const QString& path) {
-  show_notice({});
-  if (holds_study(path.toStdString())) {
-    start_page_->close_page();
-    return campaign_actions_->open_folder(path);
-  }
-  if (is_recording(path)) {
-    file_actions_->note_recent(path);
-    session_->runs().open(path);
-    return;
-  }
-  if (!file_actions_->may_discard()) return;
-  const Diagnostics problems = document_->open(path);
-  if (!problems.ok()) show_notice(diagnostics_words(problems));
 }
 
 void MainWindow::show_preview(const PocketPreview& preview) {
@@ -316,6 +276,7 @@ void MainWindow::show_preview(const PocketPreview& preview) {
     if (differing_keys(run->scenario, edited).isEmpty()) return;
   }
   view_actions_->set_phases({});
+  end_of_nothing();
   if (session_->current()) viewport_->set_hint(tr("Edited scenario, not simulated yet"));
   viewport_->set_history(nullptr);
   viewport_->set_pocket(preview.structure, preview.snapshot);
@@ -331,10 +292,13 @@ void MainWindow::show_frame(const std::shared_ptr<const Snapshot>& snapshot) {
   if (run == nullptr) return;
   // What is moved is the start of a capture, not a recorded moment of one.
   view_actions_->move_action()->setChecked(false);
+  end_of_nothing();
   if (!viewport_->is_measuring()) viewport_->set_hint({});
   view_actions_->set_phases(run->series.phases);
   viewport_->set_pocket(run->structure, snapshot);
   viewport_->set_history(history_.of(*run, view_actions_->options()));
+  // Of another size than what was there, but for a camera that somebody has turned to see something.
+  if (run->id == std::exchange(to_be_framed_, -1) && viewport_->preset()) viewport_->set_preset(*viewport_->preset());
   if (second_view_) second_view_->refresh();
   plots_->set_time(snapshot->time);
   control_->show_frame(run->structure, snapshot);
@@ -454,21 +418,6 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   settings_->setValue(kGeometryKey, saveGeometry());
   settings_->setValue(kLayoutKey, saveState(kLayoutVersion));
   event->accept();
-}
-
-void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  if (!files_to_open(*event->mimeData()).isEmpty()) event->acceptProposedAction();
-}
-
-void MainWindow::dropEvent(QDropEvent* event) {
-  const QStringList paths = files_to_open(*event->mimeData());
-  if (paths.isEmpty()) return;
-  event->acceptProposedAction();
-  // Afterwards: a question would hold up the program that the files come from.
-  const auto open_all = [this, paths] {
-    for (const QString& path : paths) open(path);
-  };
-  QMetaObject::invokeMethod(this, open_all, Qt::QueuedConnection);
 }
 
 // A focused button or list keeps the space bar, which runs and pauses everywhere else.

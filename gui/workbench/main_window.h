@@ -137,6 +137,13 @@ class MainWindow : public QMainWindow {
   // What is wrong with the scenario: goes when it has been put right.
   void show_scenario_notice(const QString& text);
   void withdraw_scenario_notice();
+  void text_problem_changed();
+  // Says why the file is not opened. Text of a scenario is there to be mended.
+  void refuse(const QString& path, const Diagnostics& problems);
+  void show_nothing_of(const QString& path);
+  void end_of_nothing();
+  // Takes over what is being typed. False: it has an error, which is shown.
+  bool commit_text();
   void show_preview(const PocketPreview& preview);
   void show_frame(const std::shared_ptr<const Snapshot>& snapshot);
   void run_changed();
@@ -187,6 +194,8 @@ class MainWindow : public QMainWindow {
   FirstCapture* first_capture_ = nullptr;
   QWidget* raised_ = nullptr;  // dock that is to be in front once the window is shown
   bool scenario_notice_ = false;
+  RunId to_be_framed_ = -1;     // recording that was opened and not yet seen
+  bool shows_nothing_ = false;  // because what was opened cannot be shown
   PresenterKind presenter_;
   ViewHistory history_;  // of the first view
 };

@@ -144,6 +144,12 @@ void MainWindow::make_menus(const WindowOptions& options) {
   for (QMenu* menu : {file, edit, run, time, view, help}) menu->setToolTipsVisible(true);
 
   file_actions_ = new FileActions(*document_, *settings_, this);
+  file_actions_->set_commit([this] {
+    QWidget* typed_in = focusWidget();
+    const bool done = commit_text();
+    if (done && typed_in != nullptr) typed_in->setFocus(Qt::OtherFocusReason);
+    return done;
+  });
   file_actions_->fill(*file, *bar);
   file->addSeparator();
   run_files_ = new RunFileActions(

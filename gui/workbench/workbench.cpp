@@ -114,6 +114,7 @@ void take_screenshot(MainWindow& window, const QString& path, std::string& failu
   QObject::connect(&window.viewport(), &Viewport::picture_shown, timer, [timer] {
     if (!timer->isActive()) timer->start();
   });
+  if (!window.notice().isEmpty()) timer->start();  // perhaps there is nothing to draw
   QObject::connect(timer, &QTimer::timeout, &window, [&window, path, &failure] {
     failure = window.film_actions().save_picture(window_picture(window), path).value_or(QString()).toStdString();
     QApplication::quit();

@@ -74,17 +74,19 @@ AxisLimits padded_limits(double low, double high, double margin, double minimum_
   return {low - pad, high + pad};
 }
 
-AxisTicks make_ticks(const AxisLimits& limits, int intervals) {
+AxisTicks make_ticks(const AxisLimits& limits, int intervals, double least_step) {
   AxisTicks ticks;
-  double step = nice_step(limits.span(), intervals);
+  double step = std::max(nice_step(limits.span(), intervals), least_step);
   ticks.major = multiples(step, limits);
   // One label alone tells no scale.
   for (int more = intervals + 1; ticks.major.size() < 2 && more <= intervals + kMoreIntervals; ++more) {
-    step = nice_step(limits.span(), more);
+    step = std::max(nice_step(limits.span(), more), least_step);
     ticks.major = multiples(step, limits);
   }
 
-  const double minor_step = step / (leading_digit(step) == 2 ? 4 : 5);
+  double minor_step = step / (leading_digit(step) == 2 ? 4 : 5);
+  // Of steps of 2 and 5, and of what is ten times less, the least one is a part.
+  if (minor_step < least_step * (1 - kRoundOff)) minor_step = least_step;
   for (const double value : multiples(minor_step, limits)) {
     const double position = value / step;
     if (std::abs(position - std::round(position)) > kRoundOff) ticks.minor.push_back(value);

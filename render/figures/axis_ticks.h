@@ -31,7 +31,8 @@ double nice_step(double span, int intervals);
 // drawn when low equals high. What is nothing but 0 has no scale: it gets [-1, 1].
 AxisLimits padded_limits(double low, double high, double margin, double minimum_span);
 
-AxisTicks make_ticks(const AxisLimits& limits, int intervals);
+// No two ticks are nearer than `least_step`, which is 1, 2 or 5 times a power of ten, or 0.
+AxisTicks make_ticks(const AxisLimits& limits, int intervals, double least_step = 0);
 
 // Fixed number of decimals, a typographic minus sign (U+2212), never "−0".
 std::string number_text(double value, int decimals);

@@ -51,9 +51,10 @@ struct PanelAxis {
   double minimum_span = 0;  // shows smaller variations, such as round-off, as the flat line they are
   std::optional<AxisLimits> limits;
   std::vector<NamedTick> names;  // instead of numbers
+  bool whole_numbers = false;    // of a count, such as generations: no ticks between them
 };
 
-// Says "no data" when no point of its curves is finite.
+// Says `empty`, when no point of its curves is finite.
 struct Panel {
   std::string title;
   PanelAxis x;
@@ -61,6 +62,7 @@ struct Panel {
   std::vector<Curve> curves;      // drawn in this order
   std::vector<PhaseBand> phases;  // from left to right
   int y_group = -1;               // panels of one group (>= 0) share their y limits
+  std::string empty = "no data";
 };
 
 struct Figure {
@@ -69,6 +71,7 @@ struct Figure {
   int columns = 1;
   double width_mm = 180;  // a journal's two-column width
   double height_mm = 70;
+  std::string note{};  // in small letters below the panels, broken into lines; e.g. that it shows a draft
 
   double width() const { return width_mm * 72 / 25.4; }    // points
   double height() const { return height_mm * 72 / 25.4; }  // points

@@ -18,6 +18,7 @@ inline constexpr TextStyle kTickLabel{7, false, kBlack};
 inline constexpr TextStyle kLegend{7, false, kBlack};
 inline constexpr TextStyle kPhaseLabel{6.5, false, kBlack};
 inline constexpr TextStyle kNote{9, false, kGrey};
+inline constexpr TextStyle kFootnote{6.5, false, kFrame};
 
 inline constexpr double kFrameLine = 0.6;
 inline constexpr double kGridLine = 0.4;

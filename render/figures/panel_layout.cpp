@@ -70,7 +70,7 @@ double phase_strip(const Panel& panel) { return panel.phases.empty() ? 0 : style
 int intervals(double length, double spacing) { return std::max(2, static_cast<int>(length / spacing)); }
 
 AxisTicks axis_ticks(const PanelAxis& axis, const AxisLimits& limits, int intervals) {
-  if (axis.names.empty()) return make_ticks(limits, intervals);
+  if (axis.names.empty()) return make_ticks(limits, intervals, axis.whole_numbers ? 1 : 0);
   AxisTicks ticks;
   for (const NamedTick& tick : axis.names) {
     ticks.major.push_back(tick.value);

@@ -169,7 +169,7 @@ class PanelPainter {
   }
 
   void paint_note() {
-    draw_text(context_, "no data", style::kNote, frame_.x + frame_.width / 2,
+    draw_text(context_, panel_.empty, style::kNote, frame_.x + frame_.width / 2,
               frame_.y + (frame_.height + kCapHeight * style::kNote.size) / 2, TextAlign::centre);
   }
 

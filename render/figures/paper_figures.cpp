@@ -423,10 +423,31 @@ std::vector<std::string> default_figure_names(const std::vector<RunSeries>& runs
   return names;
 }
 
+namespace {
+
+// Names the runs that are drafts, unless all are. Their bias is the same.
+std::string draft_note_of(const std::vector<RunSeries>& runs) {
+  std::string names, notice;
+  std::size_t drafts = 0;
+  for (const RunSeries& run : runs) {
+    if (run.draft.empty()) continue;
+    ++drafts;
+    names += (names.empty() ? "" : ", ") + run.name;
+    notice = run.draft;
+  }
+  if (drafts == 0) return {};
+  return plain_text((drafts == runs.size() ? "Draft: " : "Drafts are " + names + ": ") + notice);
+}
+
+}  // namespace
+
 Figure make_figure(std::string_view name, const std::vector<RunSeries>& runs) {
   const std::vector<RunSeries> shown = runs.empty() ? std::vector<RunSeries>(1) : runs;
   for (const NamedFigure& figure : kFigures) {
-    if (name == figure.name) return figure.make(shown);
+    if (name != figure.name) continue;
+    Figure made = figure.make(shown);
+    made.note = draft_note_of(runs);
+    return made;
   }
   const auto nearest = std::max_element(kFigures.begin(), kFigures.end(), [&](const auto& a, const auto& b) {
     return likeness(name, a.name) < likeness(name, b.name);

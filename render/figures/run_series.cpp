@@ -30,6 +30,7 @@ RunSeries run_series(const Recording& recording) {
   for (std::size_t i = 0; i < series.channel_list->size(); ++i) series.channels.push_back(recording.channel(i));
   series.phases = recording.origin().phases;
   series.loops = recording.structure().loops;
+  series.draft = recording.origin().draft;
   return series;
 }
 

@@ -20,6 +20,7 @@ struct RunSeries {
       std::vector<std::vector<double>>(channel_list->size());  // by channel_list
   std::vector<Phase> phases;
   std::vector<ControlLoopInfo> loops;
+  std::string draft{};  // RunOrigin::draft: what is said of a draft; empty otherwise
 
   // By frame; empty where the run has no such channel.
   const std::vector<double>& channel(Channel c) const;

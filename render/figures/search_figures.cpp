@@ -65,9 +65,10 @@ Figure optimisation_figure(const StudyResults& results) {
   figure.panels = {panel_of("Generation", name, {meets, misses, best_by_generation(generation, best)})};
   const AxisLimits shown{generation.front() - 0.5, generation.back() + 0.5};
   figure.panels[0].x.limits = shown;
+  figure.panels[0].x.whole_numbers = true;
   if (!is_constrained) return figure;
   figure.panels.push_back(panel_of("Generation", "Violation of the constraints", {amount}));
-  figure.panels[1].x.limits = shown;
+  figure.panels[1].x = figure.panels[0].x;
   figure.height_mm = 150;
   return figure;
 }

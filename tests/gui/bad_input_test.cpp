@@ -26,6 +26,21 @@ TEST(BadInput, MisspeltKeyIsNamedWithItsLineAndTheNearestKey) {
   EXPECT_FALSE(std::filesystem::exists(output));
 }
 
+// It is told, and no fault.
+TEST(BadInput, KeysWithoutEffectAreMentioned) {
+  const TestFolder folder;
+  const std::string scenario =
+      folder.write("own.toml", "[target]\nradius = 4.0\nlength = 5\n[towing]\nmode = \"none\"\n");
+  const auto result = run_program({"check", scenario, "--set", "solver.seed=7"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_TRUE(contains(result.error, "own.toml:3: target.length: has no effect: Used for cylinders")) << result.error;
+  EXPECT_TRUE(contains(result.error, "solver.seed: has no effect: Used with a perturbation")) << result.error;
+  EXPECT_FALSE(contains(result.error, "radius") || contains(result.error, "towing")) << result.error;
+  for (const char* sound : {"case1.toml", "thrown_net.toml", "pocket_on_tether.toml"}) {
+    EXPECT_EQ(run_program({"check", scenario_file(sound)}).error, "") << sound;
+  }
+}
+
 TEST(BadInput, StringForNumber) {
   const TestFolder folder;
   expect_refusal({"check", folder.write("own.toml", "[net]\ndiameter = \"4 mm\"\n")}, 3, "number in m");

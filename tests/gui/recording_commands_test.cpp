@@ -129,6 +129,28 @@ TEST(Findings, RunsOfOneNameSayWhatDiffers) {
   EXPECT_NE(result.out.find("case1, target.radius = 4.2"), result.out.npos) << result.out;
 }
 
+// Whatever is told of a draft says that it is one, and its bias.
+TEST(Drafts, AreNamedInAllThatIsToldOfThem) {
+  const TestFolder folder;
+  const std::string run = short_recording(folder, {"--set", "solver.fidelity=draft"});
+  const std::string notice = "bias over 512 scattered captures, 95 %: probability of capture";
+  for (const auto& command : {std::vector<std::string>{"info", run},
+                              {"metrics", run},
+                              {"metrics", run, "--json"},
+                              {"findings", run},
+                              {"findings", run, "--json"}}) {
+    const auto result = run_program(command);
+    ASSERT_EQ(result.exit_code, 0) << result.error;
+    EXPECT_NE(result.out.find("draft"), std::string::npos) << command[0] << result.out;
+    EXPECT_NE(result.out.find(notice), std::string::npos) << command[0] << result.out;
+  }
+  const auto table = run_program({"metrics", run, "--csv"});
+  EXPECT_EQ(table.out.find("draft"), std::string::npos) << "a table has rows only";
+  EXPECT_NE(table.error.find("is a draft: coarse mesh"), std::string::npos) << table.error;
+  expect_ok({"plot", run, "-o", folder.file("figures"), "--figure", "energy", "--format", "svg"});
+  EXPECT_NE(content(folder.file("figures") + "/energy.svg").find("Draft: coarse mesh"), std::string::npos);
+}
+
 TEST(Export, OlderFilesAreMentioned) {
   const TestFolder folder;
   const std::string longer = short_recording(folder), shorter = folder.file("shorter.h5");

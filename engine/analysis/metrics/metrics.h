@@ -74,6 +74,7 @@ class MetricsCollector {
 struct MetricsOfRun {
   std::vector<Metric> metrics;
   MetricHistory history;
+  std::string draft{};  // RunOrigin::draft: what is said of a draft; empty otherwise
 };
 
 // Reads all frames. Takes the end of the closing from the recording if the options do not have it. Throws
@@ -81,7 +82,7 @@ struct MetricsOfRun {
 MetricsOfRun metrics_of(const Recording& recording, const MetricOptions& options);
 
 // A table for people; a header line and a line per metric; {"metrics": {name: {"value", "unit", "meaning"}}, "history":
-// {"time", "mouth_area", "hull_volume"}} with null for NaN.
+// {"time", "mouth_area", "hull_volume"}, "draft" of drafts only} with null for NaN.
 std::string metrics_text(const std::vector<Metric>& metrics);
 std::string metrics_csv(const std::vector<Metric>& metrics);
 std::string metrics_json(const MetricsOfRun& run);

@@ -50,7 +50,7 @@ MetricsOfRun metrics_of(const Recording& recording, const MetricOptions& options
   if (complete.phases.empty()) complete.phases = recording.origin().phases;
   MetricsCollector collector(recording.structure(), complete);
   for (std::size_t i = 0; i < recording.frame_count(); ++i) collector.add(recording.frame(i));
-  return {collector.metrics(), collector.history()};
+  return {collector.metrics(), collector.history(), recording.origin().draft};
 }
 
 std::string metrics_text(const std::vector<Metric>& metrics) {
@@ -80,7 +80,9 @@ std::string metrics_json(const MetricsOfRun& run) {
   const MetricsJson history = {{"time", nulls_for_nan(run.history.time)},
                                {"mouth_area", nulls_for_nan(run.history.mouth_area)},
                                {"hull_volume", nulls_for_nan(run.history.hull_volume)}};
-  return MetricsJson{{"metrics", list}, {"history", history}}.dump(2) + "\n";
+  MetricsJson json = {{"metrics", list}, {"history", history}};
+  if (!run.draft.empty()) json["draft"] = run.draft;
+  return json.dump(2) + "\n";
 }
 
 }  // namespace netpocket

@@ -63,6 +63,14 @@ QString problems_words(const LiveResults& results) {
   return text;
 }
 
+// What the panel shows of drafts says so, with their bias.
+QString drafts_words(const LiveResults& results) {
+  if (results.drafts() == 0) return {};
+  const QString notice = engine_words(results.draft_notice()).toHtmlEscaped();
+  return results.drafts() == results.results().size() ? CampaignView::tr("<b>Drafts</b>: %1").arg(notice)
+                                                      : CampaignView::tr("<b>Some are drafts</b>: %1").arg(notice);
+}
+
 QString pace_words(const Campaign& campaign) {
   const double rate = campaign.captures_a_minute();
   if (!(rate > 0)) return {};
@@ -104,6 +112,7 @@ QWidget* CampaignView::make_head() {
   name_ = make_text();
   state_ = make_text();
   estimate_ = make_text();
+  drafts_ = make_text();
   progress_ = new QProgressBar;
   progress_->setTextVisible(false);
   progress_->setMaximumHeight(14);
@@ -131,6 +140,7 @@ QWidget* CampaignView::make_head() {
   layout->addWidget(progress_);
   layout->addWidget(state_);
   layout->addWidget(estimate_);
+  layout->addWidget(drafts_);
   layout->addLayout(buttons);
   return head;
 }
@@ -259,6 +269,8 @@ void CampaignView::refresh_results() {
     estimate_->setText(estimate_words(results->captured(), results->judged()));
   }
   estimate_->setVisible(results != nullptr);
+  drafts_->setText(results != nullptr ? drafts_words(*results) : QString());
+  drafts_->setVisible(!drafts_->text().isEmpty());
   show_picture();
   refresh_state();
   if (stack_->currentWidget() == figure_frame_) figure_->repaint();
@@ -317,6 +329,7 @@ void CampaignView::show_chosen() {
 
 QString CampaignView::state_text() const { return state_->text(); }
 QString CampaignView::estimate_text() const { return estimate_->text(); }
+QString CampaignView::draft_text() const { return drafts_->text(); }
 QString CampaignView::point_text() const { return point_->text(); }
 
 void CampaignView::changeEvent(QEvent* event) {

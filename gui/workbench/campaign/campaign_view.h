@@ -44,6 +44,7 @@ class CampaignView : public QWidget {
   // As shown.
   QString state_text() const;
   QString estimate_text() const;
+  QString draft_text() const;
   QString point_text() const;
 
  signals:
@@ -67,7 +68,7 @@ class CampaignView : public QWidget {
 
   Campaign* campaign_ = nullptr;
   int jobs_ = 1;
-  QLabel *name_, *state_, *estimate_;
+  QLabel *name_, *state_, *estimate_, *drafts_;
   QProgressBar* progress_;
   QPushButton *stop_, *leave_;
   QComboBox *pictures_, *x_axis_, *y_axis_;

@@ -30,6 +30,12 @@ ScenarioResult read(const std::string& text, const std::string& file, const std:
   return result;
 }
 
+// The text of a file, as if it were saved.
+ScenarioResult read_for(const QString& path, const std::string& text) {
+  const std::string file = path.toStdString();
+  return read(text, file, QFileInfo(path).completeBaseName().toStdString(), {.folder = folder_of(file)});
+}
+
 }  // namespace
 
 ScenarioDocument::ScenarioDocument(const QString& recovery_folder, QObject* parent)
@@ -123,6 +129,11 @@ void ScenarioDocument::apply(const StatePointer& state) {
   if (!before || before->text != state_->text) emit text_changed();
 }
 
+Diagnostics ScenarioDocument::located_diagnostics() const {
+  const std::string file = path_.toStdString();
+  return read_scenario_text(state_->text, file).with_lines(diagnostics_, file);
+}
+
 // ---- files ----
 
 QString ScenarioDocument::display_name() const {
@@ -138,9 +149,12 @@ void ScenarioDocument::reset(const StatePointer& state, const QString& path, Sta
   set_saved(std::move(saved));
   const bool moved = path != path_;
   path_ = path;
+  const bool same = state_ && same_values(state_->scenario, state->scenario);
   apply(state);
+  if (same) look_for_mesh();
   if (moved) emit path_changed(path_);
   if (was_modified != is_modified()) emit modified_changed(is_modified());
+  emit replaced();
 }
 
 void ScenarioDocument::set_saved(StatePointer state) {
@@ -203,16 +217,20 @@ std::optional<QString> ScenarioDocument::save_as(const QString& path) {
   if (path != path_) {
     path_ = path;
     emit path_changed(path_);
-    if (state_->scenario.target.shape == TargetShape::mesh) {  // found there, or no longer
-      state_ = with_folder(state_);
-      diagnostics_ = check_scenario(state_->scenario);
-      emit changed({"target.mesh_file"});
-      emit diagnostics_changed();
-    }
+    look_for_mesh();
   }
   if (undo_stack_.isClean() && was_modified) emit modified_changed(false);
   undo_stack_.setClean();
   return std::nullopt;
+}
+
+// The mesh may be found in another folder, or by now, or no longer.
+void ScenarioDocument::look_for_mesh() {
+  if (state_->scenario.target.shape != TargetShape::mesh) return;
+  state_ = with_folder(state_);
+  diagnostics_ = check_scenario(state_->scenario);
+  emit changed({"target.mesh_file"});
+  emit diagnostics_changed();
 }
 
 Diagnostics ScenarioDocument::start_from(const QString& text) {
@@ -229,12 +247,21 @@ void ScenarioDocument::start_from(const Scenario& scenario) {
   reset(state, {}, state);
 }
 
+Diagnostics ScenarioDocument::open_mended(const QString& path, const QString& text) {
+  std::string bytes = text.toStdString();
+  ScenarioResult result = read_for(path, bytes);
+  if (!result.ok()) return result.diagnostics;
+  const auto state = std::make_shared<const State>(State{std::move(result.scenario), std::move(bytes)});
+  // The file's own values are not known.
+  reset(state, path, std::make_shared<const State>(State{state->scenario, {}}));
+  return {};
+}
+
 // ---- recovery ----
 
 Diagnostics ScenarioDocument::recover(const LostWork& work) {
   std::string bytes = work.text.toStdString();
-  ScenarioResult result = read(bytes, work.path.toStdString(), QFileInfo(work.path).completeBaseName().toStdString(),
-                               {.folder = folder_of(work.path.toStdString())});
+  ScenarioResult result = read_for(work.path, bytes);
   if (!result.ok()) return result.diagnostics;
   const auto state = std::make_shared<const State>(State{std::move(result.scenario), std::move(bytes)});
   const ScenarioResult file = read_scenario_file(work.path.toStdString());

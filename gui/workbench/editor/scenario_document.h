@@ -41,6 +41,8 @@ class ScenarioDocument : public QObject {
   const Scenario& saved_scenario() const { return saved_->scenario; }
   // What check_scenario says of it; empty when it can be simulated.
   const Diagnostics& diagnostics() const { return diagnostics_; }
+  // The same with the file and the line of each key, as `netpocket check` says it.
+  Diagnostics located_diagnostics() const;
   QUndoStack* undo_stack() { return &undo_stack_; }
 
   // ---- edits. Each returns why it was refused, in one sentence; then nothing has changed. ----
@@ -70,6 +72,8 @@ class ScenarioDocument : public QObject {
   [[nodiscard]] Diagnostics start_from(const QString& text);
   // The same from a scenario, such as that of a recording.
   void start_from(const Scenario& scenario);
+  // Takes over a file that could not be opened, with the text that a person has put right, as unsaved changes.
+  [[nodiscard]] Diagnostics open_mended(const QString& path, const QString& text);
 
   // ---- recovery ----
   // What crashed programs have left, the newest first.
@@ -86,6 +90,7 @@ class ScenarioDocument : public QObject {
   void path_changed(const QString& path);
   void modified_changed(bool modified);
   void saved_changed();  // saved_scenario() is another one
+  void replaced();       // by another document; what was typed for the one before is void
 
  private:
   friend class EditCommand;
@@ -98,6 +103,7 @@ class ScenarioDocument : public QObject {
   StatePointer with_folder(const StatePointer& state) const;
   void reset(const StatePointer& state, const QString& path, StatePointer saved);
   void set_saved(StatePointer state);
+  void look_for_mesh();
   std::string text_with(const State& state, const std::vector<Setting>& settings, const Scenario& target) const;
 
   StatePointer state_;

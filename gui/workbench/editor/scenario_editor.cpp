@@ -144,9 +144,11 @@ void ScenarioEditor::show_text_problem() {
   const bool problem = text_->has_problem();
   form_->setEnabled(!problem);
   const int line = problem ? text_->problems().list().front().line : 0;
-  text_bar_->show_text(!problem   ? QString()
-                       : line > 0 ? tr("The text has an error in line %1.").arg(line)
-                                  : tr("The text has an error."));
+  const QString file = QFileInfo(text_->mended_path()).fileName();
+  text_bar_->show_text(!problem          ? QString()
+                       : !file.isEmpty() ? tr("%1 has an error: the form shows it once its text is mended.").arg(file)
+                       : line > 0        ? tr("The text has an error in line %1.").arg(line)
+                                         : tr("The text has an error."));
   tabs_->setTabText(tabs_->indexOf(text_), problem ? tr("Text (error)") : tr("Text"));
 }
 
@@ -174,6 +176,13 @@ bool ScenarioEditor::commit() {
   tabs_->setCurrentWidget(text_);
   text_->go_to_problem();
   return false;
+}
+
+void ScenarioEditor::mend(const QString& path, const QString& text) {
+  text_->mend(path, text);
+  if (!text_->has_problem()) return;
+  tabs_->setCurrentWidget(text_);
+  text_->go_to_problem();
 }
 
 void ScenarioEditor::offer_recovery() {

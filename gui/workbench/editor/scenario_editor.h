@@ -39,6 +39,9 @@ class ScenarioEditor : public QWidget {
   // Reads text that was typed a moment ago, e.g. before saving or running. False: it has an error, which is now shown.
   bool commit();
 
+  // Shows the text of a file that could not be opened, at its first error: TextPage::mend.
+  void mend(const QString& path, const QString& text);
+
   // Offers unsaved work that crashed programs have left, in a bar on top.
   void offer_recovery();
 

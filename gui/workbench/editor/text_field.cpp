@@ -21,6 +21,9 @@ TextField::TextField(const Parameter& parameter, QWidget* parent)
   setFocusProxy(edit_);
 }
 
+// The line loses the focus while it is destroyed, when its field is no longer one.
+TextField::~TextField() { edit_->disconnect(this); }
+
 void TextField::show_value(const ParameterValue& value) {
   value_ = QString::fromStdString(std::get<std::string>(value));
   edit_->setText(value_);

@@ -11,6 +11,7 @@ class TextField : public ParameterField {
   Q_OBJECT
  public:
   TextField(const Parameter& parameter, QWidget* parent);
+  ~TextField() override;
 
   void show_value(const ParameterValue& value) override;
   void set_read_only(bool read_only) override;

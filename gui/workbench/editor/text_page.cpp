@@ -37,24 +37,41 @@ TextPage::TextPage(ScenarioDocument* document, QWidget* parent)
   connect(view_, &TomlEditView::undo_requested, document_->undo_stack(), &QUndoStack::undo);
   connect(view_, &TomlEditView::redo_requested, document_->undo_stack(), &QUndoStack::redo);
   connect(document_, &ScenarioDocument::text_changed, this, &TextPage::show_document);
+  connect(document_, &ScenarioDocument::replaced, this, &TextPage::show_document);
   show_document();
 }
 
 void TextPage::show_document() {
   if (committing_) return;
   pause_.stop();
+  mended_path_.clear();
   view_->set_text(document_->text().remove('\r'));
   set_problems({});
+}
+
+void TextPage::mend(const QString& path, const QString& text) {
+  mended_path_ = path;
+  mended_has_dos_lines_ = text.contains("\r\n");
+  view_->set_text(QString(text).remove('\r'));
+  commit();
+}
+
+bool TextPage::has_dos_lines() const {
+  return mended_path_.isEmpty() ? document_->text().contains("\r\n") : mended_has_dos_lines_;
 }
 
 bool TextPage::commit() {
   pause_.stop();
   QString text = view_->toPlainText();
-  if (document_->text().contains("\r\n")) text.replace("\n", "\r\n");  // as the file had it
+  if (has_dos_lines()) text.replace("\n", "\r\n");  // as the file had it
   committing_ = true;
-  Diagnostics problems = document_->set_text(text);
+  Diagnostics problems =
+      mended_path_.isEmpty() ? document_->set_text(text) : document_->open_mended(mended_path_, text);
   committing_ = false;
-  if (problems.ok()) view_->settle();
+  if (problems.ok()) {
+    mended_path_.clear();
+    view_->settle();
+  }
   set_problems(std::move(problems));
   return problems_.ok();
 }

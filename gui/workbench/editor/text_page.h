@@ -1,6 +1,6 @@
 #pragma once
 // The scenario as text, in step with the document: a pause in typing makes it an edit; what cannot be read is marked
-// and stays here until it can.
+// and stays here until it can. So does the text of a file that cannot be opened for its faults.
 
 #include <QTimer>
 #include <QWidget>
@@ -22,6 +22,10 @@ class TextPage : public QWidget {
   bool commit();
   // Goes back to the document's text.
   void discard();
+  // Shows the text of a file that could not be opened. Once it can be read the document is that file, with changes.
+  void mend(const QString& path, const QString& text);
+  // The file whose text it is; empty for the document's.
+  const QString& mended_path() const { return mended_path_; }
   // Whether the text has something that cannot be read.
   bool has_problem() const { return !problems_.ok(); }
   const Diagnostics& problems() const { return problems_; }
@@ -40,6 +44,7 @@ class TextPage : public QWidget {
   void colour_status();
   void show_document();
   void set_problems(Diagnostics problems);
+  bool has_dos_lines() const;
 
   ScenarioDocument* document_;
   TomlEditView* view_;
@@ -47,6 +52,8 @@ class TextPage : public QWidget {
   QTimer pause_;
   Diagnostics problems_;
   bool committing_ = false;
+  QString mended_path_;
+  bool mended_has_dos_lines_ = false;
 };
 
 }  // namespace netpocket

@@ -67,6 +67,7 @@ inline constexpr auto kEngineSentences = std::to_array<const char*>({
     QT_TRANSLATE_NOOP("engine", "reached the requested time"),
     QT_TRANSLATE_NOOP("engine", "stopped on request"),
     QT_TRANSLATE_NOOP("engine", "about %1 of %2 captures drawn"),
+    QT_TRANSLATE_NOOP("engine", "no data"),
     QT_TRANSLATE_NOOP("engine", "Contours: Kriging of %1 captures, leave-one-out R² %2"),
     QT_TRANSLATE_NOOP("engine", "reached the limit of %1 steps (solver.most_steps) at t = %2 s"),
     QT_TRANSLATE_NOOP("engine", "reached the end time"),

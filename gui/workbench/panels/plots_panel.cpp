@@ -149,6 +149,7 @@ void PlotsPanel::describe(std::size_t run, const RunSeries& series) {
   if (shown.channel_list != series.channel_list) {
     shown.begin(series.channel_list);
     shown.loops = series.loops;
+    shown.draft = series.draft;
     offer_figures();
   }
   shown.phases = series.phases;
@@ -193,7 +194,9 @@ void PlotsPanel::showEvent(QShowEvent* event) {
 
 void PlotsPanel::redraw() {
   stale_ = false;
-  chart_->set_figure(in_window_language(make_figure()));
+  Figure figure = in_window_language(make_figure());
+  figure.note.clear();  // the status bar says it, and there is little room
+  chart_->set_figure(std::move(figure));
   export_->setEnabled(time_range(chart_->figure()).has_value());
   show_values();
 }

@@ -247,6 +247,7 @@ void RunLibrary::begin(RunId id, std::shared_ptr<const Structure> structure, con
   if (run->frame_count() == 0) run->series.begin(run->structure->channels);
   run->series.loops = run->structure->loops;
   run->series.phases = origin.phases;
+  run->series.draft = origin.draft;
   if (run->parent < 0) {
     store([file = run->file, origin, structure = run->structure] { file->begin(origin, *structure); });
   }

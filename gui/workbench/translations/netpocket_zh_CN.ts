@@ -1969,6 +1969,10 @@
         <source>nothing touched the target</source>
         <translation>没有任何东西接触目标</translation>
     </message>
+    <message>
+        <source>no data</source>
+        <translation>没有数据</translation>
+    </message>
 </context>
 <context>
     <name>netpocket::AboutDialog</name>
@@ -2228,6 +2232,14 @@
     <message>
         <source>; %1 at their limit of steps</source>
         <translation>；%1 个达到步数上限</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Drafts&lt;/b&gt;: %1</source>
+        <translation>&lt;b&gt;草算&lt;/b&gt;：%1</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Some are drafts&lt;/b&gt;: %1</source>
+        <translation>&lt;b&gt;其中有草算&lt;/b&gt;：%1</translation>
     </message>
 </context>
 <context>
@@ -3536,6 +3548,10 @@
         <source>Type size, colours, language, folders, pictures, memory, drawing</source>
         <translation>字号、颜色、语言、文件夹、图片、内存、绘图</translation>
     </message>
+    <message>
+        <source>%1 cannot be shown: it has an error.</source>
+        <translation>%1 无法显示：其中有错误。</translation>
+    </message>
 </context>
 <context>
     <name>netpocket::MessageBar</name>
@@ -4530,6 +4546,10 @@
     <message>
         <source>Cannot be recovered: %1</source>
         <translation>无法恢复：%1</translation>
+    </message>
+    <message>
+        <source>%1 has an error: the form shows it once its text is mended.</source>
+        <translation>%1 有错误：文本改正后表单才显示它。</translation>
     </message>
 </context>
 <context>

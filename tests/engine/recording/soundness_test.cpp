@@ -84,6 +84,25 @@ TEST(Soundness, NamesTheSafeguardsThatActed) {
   EXPECT_EQ(summary_json(recording).at("safeguards").size(), 7u);
 }
 
+// By themselves such counts would alarm: every hinge that folds counts in each step.
+TEST(Soundness, TellsHowManyHingesAStepWereHeldBack) {
+  const TemporaryFolder folder;
+  const Structure structure = synthetic_structure(6);
+  {
+    Recorder recorder(folder.file("run.h5"), synthetic_origin(), structure, true);
+    Snapshot frame = synthetic_frame(structure, 0);
+    std::ranges::fill(frame.channels, 0.0);
+    frame.channel(Channel::limited_hinges) = 104000;
+    recorder.write(frame);
+    RunStatistics statistics;
+    statistics.steps = 83200;
+    recorder.finish({RunReason::finished, frame.time, {}}, statistics);
+  }
+  EXPECT_EQ(safeguards_text(Recording(folder.file("run.h5"))),
+            "hinge dampers limited 104000 (1.2 a step on the mean, usual while rods fold: they are damped less) "
+            "(each place in each step counts)");
+}
+
 // A file may hold any number.
 TEST(Soundness, IndicesThatAreNoneAreNotFollowed) {
   const TemporaryFolder folder;

@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "engine/capture/run.h"
+#include "engine/scenario/fidelity.h"
 #include "engine/scenario/write_scenario.h"
 #include "engine/study/run_study.h"
 #include "engine/study/study_plan.h"
@@ -39,6 +40,27 @@ Study read(const StudyFolder& folder, const std::string& text) {
 std::vector<FollowedRecord> all_records(const std::string& folder) {
   RecordFollower follower(folder);
   return follower.read_new();
+}
+
+TEST(LiveResults, TellWhichRowsAreDrafts) {
+  const StudyFolder folder;
+  const Study study = read(folder, kSmall + std::string(R"(
+[[variant]]
+name = "draft"
+solver.fidelity = "draft"
+[[variant]]
+name = "full"
+)"));
+  const std::string out = folder.file("out");
+  run_study(study, out, {.jobs = 2, .version = "v", .commit = "c"});
+  LiveResults results(read_study_manifest(out));
+  // The second time each takes the place of itself.
+  for (int round = 0; round < 2; ++round) {
+    for (const FollowedRecord& record : all_records(out)) results.add(record);
+    EXPECT_EQ(results.results().size(), 16u);
+    EXPECT_EQ(results.drafts(), 8u);
+    EXPECT_EQ(results.draft_notice(), draft_notice(Fidelity::draft));
+  }
 }
 
 TEST(StudyManifest, MakesTheScenarioOfAnyPointWithoutTheStudysFile) {

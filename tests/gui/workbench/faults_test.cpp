@@ -7,8 +7,15 @@
 #include <csignal>
 
 #include "engine/recording/recording.h"
+#include "gui/workbench/editor/message_bar.h"
+#include "gui/workbench/editor/parameter_form.h"
+#include "gui/workbench/editor/scenario_editor.h"
+#include "gui/workbench/editor/text_page.h"
+#include "gui/workbench/editor/toml_edit_view.h"
+#include "gui/workbench/file_actions.h"
 #include "gui/workbench/panels/findings_panel.h"
 #include "gui/workbench/run_file_actions.h"
+#include "gui/workbench/viewport/viewport.h"
 #include "tests/gui/workbench/window_fixture.h"
 
 namespace netpocket {
@@ -94,6 +101,66 @@ TEST_F(WindowFaults, OfFilesThatCannotBeOpened) {
   window_->open(file("whole.dat"));
   EXPECT_TRUE(wait_until([&] { return window_->session().runs().ids().size() == runs + 1; }));
   EXPECT_EQ(window_->notice(), QString());
+}
+
+TEST_F(WindowFaults, OfScenariosThatCannotBeSimulatedAreSaidOnOpening) {
+  ASSERT_TRUE(wait_until([&] { return window_->viewport().state().complete(); }));
+  write_file("lost_mesh.toml", "[target]\nshape = \"mesh\"\nmesh_file = \"gone.obj\"\n");
+  window_->open(file("lost_mesh.toml"));
+  EXPECT_EQ(window_->document().scenario().target.mesh_file, "gone.obj");
+  expect_notice({file("lost_mesh.toml") + ":3: target.mesh_file: \"gone.obj\" does not exist"}, "lost_mesh");
+  EXPECT_FALSE(window_->viewport().state().complete()) << "the picture of another scenario would pass for this one's";
+  write_file("gone.obj", "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  window_->open(file("lost_mesh.toml"));
+  EXPECT_EQ(window_->notice(), QString());
+  EXPECT_TRUE(wait_until([&] { return window_->viewport().state().complete(); }));
+}
+
+TEST_F(WindowFaults, OfTextsAreThereToBeMended) {
+  ASSERT_TRUE(wait_until([&] { return window_->viewport().state().complete(); }));
+  write_file("wrong.toml", "# mine\n[closing]\ndurration = 5\n");
+  window_->open(file("wrong.toml"));
+  expect_notice({file("wrong.toml") + ":3: closing.durration: is not a parameter; did you mean 'closing.duration'?"},
+                "to_be_mended");
+  EXPECT_FALSE(window_->viewport().state().complete());
+  TextPage* text = window_->editor().text_page();
+  EXPECT_EQ(text->view()->toPlainText(), "# mine\n[closing]\ndurration = 5\n");
+  EXPECT_TRUE(text->isVisible());
+  EXPECT_EQ(text->view()->marked_lines().count(3), 1u);
+  EXPECT_FALSE(window_->editor().form()->isEnabled()) << "it shows another scenario";
+  EXPECT_TRUE(window_->editor().text_bar()->text().contains("wrong.toml"));
+  // Neither a run nor a save takes the scenario before for it.
+  EXPECT_EQ(window_->scenario_to_run(), std::nullopt);
+  EXPECT_FALSE(window_->file_actions().save());
+  EXPECT_EQ(window_->document().scenario().name, "quick");
+  text->view()->setPlainText("# mine\n[closing]\nduration = 5\n");
+  EXPECT_TRUE(window_->editor().commit());
+  EXPECT_EQ(window_->notice(), QString());
+  EXPECT_EQ(window_->document().path(), file("wrong.toml"));
+  EXPECT_EQ(window_->document().scenario().name, "wrong");
+  EXPECT_EQ(window_->document().scenario().closing.duration, 5);
+  EXPECT_TRUE(window_->document().is_modified());
+  EXPECT_TRUE(window_->file_actions().save());
+  EXPECT_EQ(content("wrong.toml"), "# mine\n[closing]\nduration = 5\n");
+  EXPECT_TRUE(wait_until([&] { return window_->viewport().state().complete(); }));
+}
+
+TEST_F(WindowFaults, OfATextThatIsGivenUpLeaveTheScenarioBefore) {
+  const QString before = window_->document().text();
+  write_file("wrong.toml", "[closing]\r\nduration = \r\n");
+  window_->open(file("wrong.toml"));
+  EXPECT_TRUE(window_->notice().contains("wrong.toml:2")) << window_->notice().toStdString();
+  window_->editor().text_page()->discard();
+  EXPECT_EQ(window_->notice(), QString());
+  EXPECT_EQ(window_->editor().text_page()->view()->toPlainText(), before);
+  EXPECT_TRUE(window_->editor().form()->isEnabled());
+  EXPECT_TRUE(wait_until([&] { return window_->viewport().state().complete(); }));
+  // So does another scenario, be it the same as before.
+  window_->open(file("wrong.toml"));
+  window_->document().start_from(quick_scenario());
+  EXPECT_TRUE(window_->editor().text_page()->mended_path().isEmpty());
+  EXPECT_TRUE(window_->editor().commit());
+  EXPECT_EQ(window_->document().scenario().name, "quick");
 }
 
 TEST_F(WindowFaults, OfDroppedFilesAreSaid) {

@@ -162,6 +162,32 @@ TEST_F(WindowTest, ScenarioOfACrashedSessionIsOffered) {
   EXPECT_TRUE(window_->isWindowModified());
 }
 
+TEST_F(WindowTest, FramesARecordingThatIsOpenedAtTheStart) {
+  Scenario scenario = quick_scenario();
+  scenario.target.position = {0, 60, 0};
+  window_->document().start_from(scenario);
+  ASSERT_TRUE(run_to(0.1));
+  auto& saving = window_->session().runs();
+  saving.save(window_->session().current()->id, file("far.h5"));
+  ASSERT_TRUE(wait_until([&] { return saving.unsaved().empty(); }));
+  reopen();
+  ASSERT_TRUE(wait_until([&] { return window_->viewport().state().complete(); })) << "the scenario's";
+  const auto target_in_sight = [&] {
+    const Viewport& view = window_->viewport();
+    if (window_->session().current() == nullptr || !view.state().complete()) return false;
+    const auto& bodies = view.state().structure->bodies;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      if (bodies[i].role != BodyRole::target) continue;
+      const auto point = OrbitCamera(view.view()).project(view.state().snapshot->bodies[i].position, view.size());
+      return point && view.rect().contains(point->position.toPoint());
+    }
+    return false;
+  };
+  window_->open(file("far.h5"));
+  EXPECT_TRUE(wait_until(target_in_sight, 20));
+  screenshot("framed_recording");
+}
+
 TEST_F(WindowTest, ExportsFromTheCameraOfTheView) {
   ASSERT_TRUE(run_to(0.1));
   window_->viewport().set_preset(CameraPreset::mouth);

@@ -74,6 +74,16 @@ TEST(Ticks, LieWithinTheLimitsAndMinorOnesBetween) {
   }
 }
 
+TEST(Ticks, OfWholeNumbersHaveNothingBetween) {
+  const AxisTicks few = make_ticks({-0.5, 1.5}, 6, 1);
+  EXPECT_EQ(few.labels, (Labels{"0", "1"}));
+  EXPECT_TRUE(few.minor.empty());
+  EXPECT_EQ(make_ticks({-0.5, 0.5}, 6, 1).labels, Labels{"0"});
+  EXPECT_EQ(make_ticks({0, 10}, 5, 1).labels, (Labels{"0", "2", "4", "6", "8", "10"}));
+  EXPECT_EQ(make_ticks({0, 10}, 5, 1).minor, (std::vector<double>{1, 3, 5, 7, 9}));
+  EXPECT_EQ(make_ticks({0, 300}, 6, 1).major, make_ticks({0, 300}, 6).major);
+}
+
 TEST(Ticks, AreAtLeastTwo) {
   EXPECT_EQ(make_ticks({-1, 45}, 1).labels, (Labels{"0", "20", "40"}));
   EXPECT_EQ(make_ticks({-1e-3, 1e-3}, 1).labels.size(), 3u);

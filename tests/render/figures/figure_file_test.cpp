@@ -10,6 +10,9 @@
 #include <limits>
 
 #include "engine/base/file_error.h"
+#include "render/figures/paper_figures.h"
+#include "render/figures/rich_text.h"
+#include "synthetic_run.h"
 #include "test_directory.h"
 
 namespace netpocket {
@@ -94,6 +97,19 @@ TEST_F(FigureFile, SvgTextIsText) {
   EXPECT_NE(svg.find("transform=\"matrix(", svg.rfind("<text", svg.find(">upwards"))), std::string::npos);
   EXPECT_EQ(count(svg, ">2</text>"), 2u) << "values on both axes";
   EXPECT_TRUE(svg.ends_with("</svg>\n"));
+}
+
+TEST_F(FigureFile, DraftsSaySoBelowTheirPanels) {
+  std::vector<RunSeries> runs = {synthetic_run("case1", 10), synthetic_run("case_2", 7)};
+  EXPECT_TRUE(make_figure("energy", runs).note.empty());
+  runs[1].draft = "coarse mesh; bias over 512 scattered captures";
+  const Figure figure = make_figure("energy", runs);
+  EXPECT_EQ(figure.note, plain_text("Drafts are case_2: coarse mesh; bias over 512 scattered captures"));
+  save_figure(figure, directory_ / "draft.svg");
+  const std::string svg = read("draft.svg");
+  EXPECT_NE(svg.find("scattered captures"), std::string::npos);
+  runs[0].draft = runs[1].draft;
+  EXPECT_EQ(make_figure("energy", runs).note, "Draft: coarse mesh; bias over 512 scattered captures");
 }
 
 TEST_F(FigureFile, PdfStartsWithItsSignature) {

@@ -138,6 +138,7 @@ TEST(StudyFigures, SearchesHaveFiguresOfTheirOwn) {
   const Figure search = make_study_figure("optimisation", results);
   ASSERT_EQ(search.panels.size(), 2u) << "and the violation";
   EXPECT_EQ(search.panels[0].y.title, plain_text("mean of load_body"));
+  for (const Panel& panel : search.panels) EXPECT_TRUE(panel.x.whole_numbers) << "there are no half generations";
   const Curve& misses = search.panels[0].curves[1];
   EXPECT_EQ(misses.x.size(), 2u) << "one candidate and the gap after it";
   EXPECT_EQ(misses.y[0], 5);
