@@ -201,6 +201,28 @@ TEST_F(VerificationContact, StifferSpringsKeepTheirEnergy) {
   EXPECT_NEAR(system.audit().error, before.error, 0.1 * before.contact);
 }
 
+// Stiffness, and so the squared phase, of a spring F = K s^1.5 grows with the cube root of the load. Four times that is
+// asked for where it bears much: the steps are then halved.
+TEST_F(VerificationContact, SpringsThatBearMuchAskForFinerSteps) {
+  const auto at_rest = [](double gravity) {
+    RodOnTable rod(1e12, 0.5, 0.4);
+    rod.cable.model.gravity = {0, -gravity, 0};
+    rod.cable.model.materials[0].section.bending_damping = 1e-3;
+    CableSystem system(rod.cable.model);
+    RodOnTable::hold(system);
+    const double step = 0.5 * system.stable_step().step;
+    while (system.time() < 2) system.step(step);
+    return std::pair(system.contact_load(), system.contact_squared_phase());
+  };
+  const auto [little, phase] = at_rest(10);
+  const auto [more, larger_phase] = at_rest(80);
+  const auto [much, finer_phase] = at_rest(80e3);
+  EXPECT_LT(more, 0.2);
+  EXPECT_GT(much, 0.5);
+  EXPECT_NEAR(larger_phase / phase, 2, 0.1) << "loads " << little << ", " << more;
+  EXPECT_NEAR(finer_phase / phase, 4 * 20, 4) << "load " << much;
+}
+
 TEST_F(VerificationContact, RodOnAnIncline) {
   for (const double angle : {10.0, 30.0}) {
     RodOnTable rod(1e9, 0.5, 0.3);
