@@ -27,9 +27,9 @@ constexpr double kLongStep = 0.7;
 constexpr double kShortStep = 0.25;
 
 // Springs that bear more than kMuchLoad of what the softest ones bear at their greatest compression are to be resolved
-// by steps half as long. Springs below it store less than 14 % of that energy, which grows with the load to the power
-// 5/3.
-constexpr double kMuchLoad = 0.3, kFinerPhase = 4;
+// by steps half as long. Springs below it store less than a third of that energy, which grows with the load to the
+// power 5/3.
+constexpr double kMuchLoad = 0.5, kFinerPhase = 4;
 
 struct ForceKernels {
   contact_kernel::ForceKernel forces;
@@ -283,13 +283,6 @@ void ContactSolver::apply_offsets(Partner& partner, double body_mass) {
   partner.offsets.end_step();
 }
 
-template <typename Function>
-void ContactSolver::for_each_contact(const Function& function) const {
-  for (const std::int32_t place : places_) {
-    function(contacts_[static_cast<std::size_t>(place / kBlockSize)], place % kBlockSize);
-  }
-}
-
 double ContactSolver::stiffness_step_for(double dt) const {
   constexpr int kMostHalvings = 7;  // stiffer springs are those of the materials
   const double shortest = std::ldexp(steps_.reference, -kMostHalvings);
@@ -462,41 +455,6 @@ contact_kernel::ContactPower ContactSolver::dissipated_power(const CoordinateVec
     if (partners_[b].first < partners_[b].last) total += power_of(b, velocities.rows(), bodies[b]);
   }
   return total;
-}
-
-double ContactSolver::largest_compression() const {
-  double largest = 0;
-  for_each_contact([&](const ContactBlock& block, int lane) { largest = std::max(largest, block.penetration[lane]); });
-  return largest;
-}
-
-double ContactSolver::largest_load(const std::vector<DynamicBody>& bodies) {
-  double largest = 0;
-  for_each_contact([&](const ContactBlock& block, int lane) {
-    largest = std::max(largest, load_of(block, lane, bodies[static_cast<std::size_t>(block.body)].least_mass()));
-  });
-  return largest;
-}
-
-std::optional<ContactSolver::Depth> ContactSolver::deepest_contact() const {
-  std::optional<Depth> deepest;
-  for_each_contact([&](const ContactBlock& block, int lane) {
-    if (deepest && deepest->penetration >= block.penetration[lane] + block.offset[lane]) return;
-    deepest = Depth{block.element[lane], block.body, block.penetration[lane] + block.offset[lane]};
-  });
-  return deepest;
-}
-
-std::vector<ContactPoint> ContactSolver::contacts() const {
-  std::vector<ContactPoint> result;
-  for_each_contact([&](const ContactBlock& block, int lane) {
-    const Vector3d force = lane_of(block.force, lane);
-    if (force.squaredNorm() == 0) return;
-    const double to_surface = model_.radius_of(block.element[lane]) - (block.penetration[lane] + block.offset[lane]);
-    const Vector3d surface = lane_of(block.point, lane) - to_surface * lane_of(block.normal, lane);
-    result.push_back({surface, -force, block.element[lane], block.body});
-  });
-  return result;
 }
 
 }  // namespace netpocket

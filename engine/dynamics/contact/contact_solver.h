@@ -152,7 +152,11 @@ class ContactSolver {
   double load_of(const ContactBlock& block, int lane, double body_mass);
   // Calls function(block, lane) in the order in which the contacts were found.
   template <typename Function>
-  void for_each_contact(const Function& function) const;
+  void for_each_contact(const Function& function) const {
+    for (const std::int32_t place : places_) {
+      function(contacts_[static_cast<std::size_t>(place / kBlockSize)], place % kBlockSize);
+    }
+  }
   std::span<const std::int32_t> places_of(const Partner& partner) const {
     return {places_.data() + partner.first_place, partner.last_place - partner.first_place};
   }

@@ -132,6 +132,9 @@ end_time = 14
     ASSERT_FALSE(window_->document().set_value(*find_parameter("closing.duration"), 9.0));
     window_->open(file("made_up.h5"));
     ASSERT_TRUE(wait_until([&] { return window_->session().current() != nullptr; }));
+    // It is framed for the moment that is seen first.
+    ASSERT_TRUE(
+        wait_until([&] { return window_->viewport().state().structure == window_->session().current()->structure; }));
     window_->plots().show_figure("figure05_force");
     window_->timeline().go_to(7);
     ASSERT_TRUE(wait_until([&] {
