@@ -15,7 +15,7 @@ inline constexpr double kFlat = 0.01;    // slope that is left, by that at the n
 inline constexpr double kClose = 1e-7;   // m: places nearer than this to each other are one
 inline constexpr double kInside = 1e-3;  // of the present bounds: the next place is at least so far from both
 
-// A squared length below this has lost its digits by underflow and gives no direction.
+// As in shape.cpp: a squared length below this has lost its digits by underflow and gives no direction.
 inline constexpr double kSmallestSquare = std::numeric_limits<double>::min();
 
 }  // namespace netpocket::search_limits
