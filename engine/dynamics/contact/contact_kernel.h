@@ -20,7 +20,7 @@ struct alignas(64) ContactBlock {
   double offset[kBlockSize];    // m, depth at which the spring begins (contact_solver.h)
   double stiffness[kBlockSize], damping[kBlockSize];  // as in NormalLaw
   double deepest[kBlockSize];                         // m, greatest depth: no approach may pass it
-  double share[kBlockSize];                           // weight of the contact (contact_search.h), 0 to 1
+  double share[kBlockSize];                           // weight of the contact (holder_touches.h), 0 to 1
   double force[3][kBlockSize];                        // N, on the cable
   double normal_force[kBlockSize];                    // N, >= 0
   double elastic[kBlockSize];                         // N, of the spring alone
@@ -34,7 +34,7 @@ struct alignas(64) ContactBlock {
   bool is_regular;
   std::int32_t base[4], rotation[4];
   std::int32_t element[kBlockSize];
-  std::int32_t part[kBlockSize], holder[kBlockSize];  // of the body; of the cord (contact_search.h)
+  std::int32_t part[kBlockSize], holder[kBlockSize];  // of the body; of the cord (contact_holders.h)
   bool is_cord_end[kBlockSize];                       // whether the holder is an end of the cord
   bool is_extra[kBlockSize];                          // CordTouch::is_extra
   std::int32_t body;

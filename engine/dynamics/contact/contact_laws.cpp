@@ -34,7 +34,7 @@ ContactLaw ContactLaws::make(std::int32_t element, std::int32_t part, bool is_co
                                            {partner.youngs_modulus, partner.poisson_ratio});
   const double of_materials =
       hertz_stiffness(modulus, effective_radius(material.radius, contact_radius(partner.shape)));
-  const double share = (is_cord_end ? 0.5 : 1.0) / ContactSearch::kHalves;
+  const double share = (is_cord_end ? 0.5 : 1.0) / ContactHolders::kHalves;
   const double length = share * model_->elements[static_cast<std::size_t>(element)].length;
   const double mass = effective_mass(material.section.mass_per_length * length, body_mass);
   const double stiffness = std::min(of_materials, resolved_stiffness(mass, steps_.present));

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "engine/dynamics/contact/cord_chain.h"
+#include "engine/dynamics/contact/cord_polyline.h"
 #include "engine/math/instruction_set.h"
 #include "engine/math/symmetric_algebra.h"
 
@@ -19,6 +20,13 @@ constexpr int kSegments = CordPolyline::kSegments;
 // A sphere is large if its radius exceeds this many lengths of the longest element. Then parabolas approximate its
 // surface along a capsule.
 constexpr double kLargeSphere = 1;
+
+// Cords that may pass more than this part of a solid's thickness in a step are to be stopped. Each holder then has only
+// the place where it is deepest.
+constexpr double kFastWay = 0.5;
+
+// Elements beside an attachment cannot touch the body if the cord between is shorter than this many diameters.
+constexpr double kNeighbourhood = 2;
 
 struct SearchKernels {
   contact_kernel::VertexKernel vertices;
@@ -39,45 +47,7 @@ double least_of(const double* values) {
   return least[1] < least[0] ? least[1] : least[0];
 }
 
-// Below the scores of places that touch, in the same order.
-double score_apart(const WeightedPlace& place) {
-  return -1 / (std::numeric_limits<double>::min() + std::max(place.score(), 0.0));
-}
-
 }  // namespace
-
-ContactSearch::ContactSearch(const Model& model, std::span<const std::int32_t> next, std::int32_t body)
-    : parts_(contact_parts(model.bodies[static_cast<std::size_t>(body)].shape, model.contact.edge_radius)),
-      bounding_radius_(netpocket::bounding_radius(model.bodies[static_cast<std::size_t>(body)].shape)),
-      smallest_radius_(kNever),
-      next_(next.begin(), next.end()),
-      previous_(previous_elements(next_)),
-      sphere_touches_(next_, previous_) {
-  for (int i = 0; i <= kSegments; ++i) {
-    const NodalWeights weights = shape(2.0 * i / kSegments - 1, 1.0);
-    vertices_.push_back({weights[0], weights[1], weights[2], weights[3]});
-  }
-  const std::size_t padded = (model.elements.size() + kBlockSize - 1) / kBlockSize * kBlockSize;
-  radius_.assign(padded, -1.0);
-  due_.assign(padded, kNever);
-  const std::size_t blocks = padded / kBlockSize;
-  block_due_.assign((blocks + kBlockSize - 1) / kBlockSize * kBlockSize, kNever);
-  double longest = 0;
-  for (std::int32_t i = 0; i < static_cast<std::int32_t>(model.elements.size()); ++i) {
-    if (!is_touchable(model, i, body)) continue;
-    radius_[static_cast<std::size_t>(i)] = model.radius_of(i);
-    smallest_radius_ = std::min(smallest_radius_, model.radius_of(i));
-    longest = std::max(longest, model.elements[static_cast<std::size_t>(i)].length);
-  }
-  for (const double radius : radius_) thickness_.push_back(bounding_radius_ + std::max(radius, 0.0));
-  rows_.resize(static_cast<std::size_t>((kSegments + 1) * kVectorRows + 1) * kBlockSize);
-  is_large_sphere_ = std::holds_alternative<Sphere>(parts_.front().solid) && bounding_radius_ > kLargeSphere * longest;
-  double thinnest = kNever;
-  for (const ContactPart& part : parts_) thinnest = std::min(thinnest, part.thickness);
-  pieces_ = longest > kHalves * thinnest ? kSegments : kHalves;
-  holder_touch_.resize(parts_.size());
-  forget();
-}
 
 bool are_locked(const Model& model, std::int32_t a, std::int32_t b) {
   return std::ranges::any_of(model.locks, [&](const BodyLock& lock) {
@@ -85,16 +55,83 @@ bool are_locked(const Model& model, std::int32_t a, std::int32_t b) {
   });
 }
 
-// An element with a node on the body, or on one that is locked to it at the start, is excluded: its attachment already
-// connects it with the body.
-bool ContactSearch::is_touchable(const Model& model, std::int32_t element, std::int32_t body) {
-  const ModelElement& e = model.elements[static_cast<std::size_t>(element)];
+namespace {
+
+// Takes off what an element joins to the body, and what continues it within kNeighbourhood diameters.
+void exclude(const Model& model, std::int32_t element, std::span<const std::int32_t> continuation,
+             AlignedVector<double>& radius) {
+  const double reach = kNeighbourhood * 2 * model.radius_of(element);
+  double way = 0;
+  do {
+    radius[static_cast<std::size_t>(element)] = -1;
+    way += model.elements[static_cast<std::size_t>(element)].length;
+    element = continuation[static_cast<std::size_t>(element)];
+  } while (element >= 0 && way < reach);
+}
+
+// By element, in whole blocks, the radius (m) of those that can touch the body, else -1. An element with a node on the
+// body, or on one that is locked to it at the start, is excluded: its attachment already connects it with the body. So
+// are those beside it: a thick rod that stands on a face is in that face there.
+AlignedVector<double> touchable_radii(const Model& model, std::span<const std::int32_t> next, std::int32_t body) {
+  AlignedVector<double> radius((model.elements.size() + kBlockSize - 1) / kBlockSize * kBlockSize, -1.0);
+  if (!model.bodies[static_cast<std::size_t>(body)].touches_cables) return radius;
+  const std::vector<std::int32_t> previous = previous_elements({next.begin(), next.end()});
   const auto is_attached = [&](std::int32_t node) {
     const ModelNode& n = model.nodes[static_cast<std::size_t>(node)];
     return n.support == Support::body && (n.body == body || are_locked(model, n.body, body));
   };
-  return model.bodies[static_cast<std::size_t>(body)].touches_cables && !is_attached(e.node1) &&
-         !is_attached(e.node2) && model.radius_of(element) > 0;
+  const auto count = static_cast<std::int32_t>(model.elements.size());
+  for (std::int32_t i = 0; i < count; ++i) {
+    if (model.radius_of(i) > 0) radius[static_cast<std::size_t>(i)] = model.radius_of(i);
+  }
+  for (std::int32_t i = 0; i < count; ++i) {
+    const ModelElement& element = model.elements[static_cast<std::size_t>(i)];
+    if (is_attached(element.node1)) exclude(model, i, next, radius);
+    if (is_attached(element.node2)) exclude(model, i, previous, radius);
+  }
+  return radius;
+}
+
+// Length (m) of the longest element that can touch the body.
+double longest_element(const Model& model, const AlignedVector<double>& radius) {
+  double longest = 0;
+  for (std::size_t i = 0; i < model.elements.size(); ++i) {
+    if (radius[i] > 0) longest = std::max(longest, model.elements[i].length);
+  }
+  return longest;
+}
+
+int pieces_of(double longest_element, const std::vector<ContactPart>& parts) {
+  double thinnest = kNever;
+  for (const ContactPart& part : parts) thinnest = std::min(thinnest, part.thickness);
+  return longest_element > ContactHolders::kHalves * thinnest ? kSegments : ContactHolders::kHalves;
+}
+
+}  // namespace
+
+ContactSearch::ContactSearch(const Model& model, std::span<const std::int32_t> next, std::int32_t body)
+    : parts_(contact_parts(model.bodies[static_cast<std::size_t>(body)].shape, model.contact.edge_radius)),
+      radius_(touchable_radii(model, next, body)),
+      bounding_radius_(netpocket::bounding_radius(model.bodies[static_cast<std::size_t>(body)].shape)),
+      smallest_radius_(kNever),
+      is_large_sphere_(std::holds_alternative<Sphere>(parts_.front().solid) &&
+                       bounding_radius_ > kLargeSphere * longest_element(model, radius_)),
+      touches_(ContactHolders(next, pieces_of(longest_element(model, radius_), parts_)), parts_.size(),
+               is_large_sphere_),
+      sphere_touches_(holders().next_elements(), holders().previous_elements()) {
+  for (int i = 0; i <= kSegments; ++i) {
+    const NodalWeights weights = shape(2.0 * i / kSegments - 1, 1.0);
+    vertices_.push_back({weights[0], weights[1], weights[2], weights[3]});
+  }
+  due_.assign(radius_.size(), kNever);
+  const std::size_t blocks = radius_.size() / kBlockSize;
+  block_due_.assign((blocks + kBlockSize - 1) / kBlockSize * kBlockSize, kNever);
+  for (const double radius : radius_) {
+    if (radius > 0) smallest_radius_ = std::min(smallest_radius_, radius);
+    thickness_.push_back(bounding_radius_ + std::max(radius, 0.0));
+  }
+  rows_.resize(static_cast<std::size_t>((kSegments + 1) * kVectorRows + 1) * kBlockSize);
+  forget();
 }
 
 void ContactSearch::forget() {
@@ -113,7 +150,7 @@ void ContactSearch::look_at_block(std::int32_t block, const CoordinateVectors& c
   const Vector3d centre = body.centre();
   search_kernels().vertices(batch.block(block), vertices_.data(), vertices_.size(), coordinates.rows(), centre.data(),
                             rows_.data());
-  if (is_large_sphere_ && ahead == 0 && pieces_ == kHalves) {
+  if (is_large_sphere_ && ahead == 0 && holders().pieces() == ContactHolders::kHalves) {
     look_at_sphere(block, body);
   } else {
     look_at_lanes(block, body, ahead);
@@ -136,18 +173,24 @@ void ContactSearch::find(const CoordinateVectors& coordinates, const ElementBatc
       look_at_block(static_cast<std::int32_t>(block), coordinates, batch, body, ahead);
     }
   }
-  measure_meetings(touches);
+  measure_meetings(body);
   for (const std::int32_t block : looked_at_) set_due(block);
   looked_at_.clear();
   least_due_ = kNever;
   for (std::size_t first = 0; first < block_due_.size(); first += kBlockSize) {
     least_due_ = std::min(least_due_, least_of(&block_due_[first]));
   }
-  if (!is_large_sphere_) finish_holders(touches);
-  open_.clear();
-  at_holders_.clear();
-  for (const auto& [part, holder] : taken_) holder_touch_[static_cast<std::size_t>(part)][holder] = -1;
-  taken_.clear();
+  touches_.take(touches);
+}
+
+void ContactSearch::measure_meetings(const DynamicBody& body) {
+  meetings_.measure(parts_, holders());
+  for (const Meeting& meeting : meetings_.found()) {
+    note_clearance(meeting.element, meeting.clearance());
+    if (!meeting.is_near) continue;
+    touches_.add(meeting, parts_[static_cast<std::size_t>(meeting.part)], body.rigid().rotation());
+  }
+  meetings_.clear();
 }
 
 ContactSearch::Chain ContactSearch::chain_of_lane(int lane) const {
@@ -202,7 +245,7 @@ void ContactSearch::look_at_lanes(std::int32_t block, const DynamicBody& body, d
   }
 }
 
-// In a diverged state the clearance is NaN. The element then stays due.
+// A clearance that is no number leaves the element due.
 void ContactSearch::note_clearance(std::int32_t element, double clearance) {
   double& due = due_[static_cast<std::size_t>(element)];
   due = std::min(due, clearance > 0 ? approach_ + clearance : approach_);
@@ -214,128 +257,34 @@ void ContactSearch::look_at_element(std::int32_t element, const Chain& world, co
     local[i] = symmetric_transposed_product(body.rigid().rotation(), world[i] - body.centre());
   }
   for (std::size_t part = 0; part < parts_.size(); ++part) {
-    look_at_part(element, static_cast<std::int32_t>(part), world, local, body, ahead);
+    look_at_part(element, static_cast<std::int32_t>(part), world, local, ahead);
   }
 }
 
 void ContactSearch::look_at_part(std::int32_t element, std::int32_t part, const Chain& world, const Chain& local,
-                                 const DynamicBody& body, double ahead) {
+                                 double ahead) {
   const ContactPart& solid = parts_[static_cast<std::size_t>(part)];
+  const double radius = radius_[static_cast<std::size_t>(element)];
   if (parts_.size() > 1) {
     double nearest = kNever, longest = 0;
     for (std::size_t i = 0; i < local.size(); ++i) {
       nearest = std::min(nearest, symmetric_norm(local[i] - solid.centre));
       if (i > 0) longest = std::max(longest, symmetric_norm(local[i] - local[i - 1]));
     }
-    const double radius = radius_[static_cast<std::size_t>(element)];
     const double clearance = nearest - 0.5 * longest - solid.bounding_radius - radius;
     if (clearance > ahead) {
       note_clearance(element, clearance);
       return;
     }
   }
-  if (meeting_count_ == meetings_.size()) meetings_.emplace_back();
-  Meeting& meeting = meetings_[meeting_count_++];
+  Meeting& meeting = meetings_.append();
   meeting.element = element;
   meeting.part = part;
-  meeting.body = &body;
+  meeting.radius = radius;
   meeting.ahead = ahead;
+  meeting.sums_contacts = !is_large_sphere_ && ahead <= kFastWay * solid.thickness;
   meeting.world = world;
   meeting.local = local;
-}
-
-// The segment with the highest score in one piece of the element, for the holder at that piece's end or start.
-ContactSearch::Candidate ContactSearch::best_in_piece(const Contacts& contacts, double radius, double ahead, int piece,
-                                                      bool towards_end) const {
-  Candidate best{};
-  best.segment = -1;
-  if (piece < 0 || piece >= pieces_) return best;
-  const int segments = kSegments / pieces_;
-  for (int i = 0; i < segments; ++i) {
-    const int segment = piece * segments + i;
-    const SegmentContact& contact = contacts[static_cast<std::size_t>(segment)];
-    if (!contact.is_near) continue;
-    const double from = static_cast<double>(i) / segments, to = static_cast<double>(i + 1) / segments;
-    const PieceWeight weight = towards_end ? PieceWeight{from, to} : PieceWeight{1 - from, 1 - to};
-    const double score = contact.distance < radius ? estimate_deepest(contact, radius, weight).score()
-                                                   : score_apart(estimate_deepest(contact, radius + ahead, weight));
-    if (best.segment < 0 || score > best.score) best = {segment, weight, score};
-  }
-  return best;
-}
-
-// Elements that continue each other share the holder at their node. An element owns the holders at its first node and
-// its middle, and at its second node only where its cord ends.
-std::size_t ContactSearch::holder_index(std::int32_t element, int holder) const {
-  const auto holders = static_cast<std::size_t>(pieces_ + 1);
-  const std::int32_t next = next_[static_cast<std::size_t>(element)];
-  if (holder == pieces_ && next >= 0) return static_cast<std::size_t>(next) * holders;
-  return static_cast<std::size_t>(element) * holders + static_cast<std::size_t>(holder);
-}
-
-std::array<std::int32_t, 2> ContactSearch::neighbours(std::int32_t holder) const {
-  const std::int32_t element = holder / (pieces_ + 1), place = holder % (pieces_ + 1);
-  const std::int32_t previous = previous_[static_cast<std::size_t>(element)];
-  const std::int32_t before = place > 0 ? holder - 1 : previous >= 0 ? previous * (pieces_ + 1) + pieces_ - 1 : -1;
-  const std::int32_t behind = place < pieces_ ? static_cast<std::int32_t>(holder_index(element, place + 1)) : -1;
-  return {before, behind};
-}
-
-void ContactSearch::touch(const Meeting& meeting, int holder, const Candidate& candidate,
-                          std::vector<CordTouch>& touches) {
-  if (candidate.segment < 0) return;
-  const auto segment = static_cast<std::size_t>(candidate.segment);
-  const auto element = static_cast<std::size_t>(meeting.element), part = static_cast<std::size_t>(meeting.part);
-  const SegmentContact& contact = meeting.contacts[segment];
-  const Segment piece{meeting.local[segment], meeting.local[segment + 1]};
-  const double radius = radius_[element];
-  // A place that is still apart is judged as if the cord were thicker by `ahead`.
-  const bool is_apart = contact.distance >= radius;
-  const double thickness = is_apart ? radius + meeting.ahead : radius;
-  // On a large sphere the parabola of the kernel is used, so that a search ahead changes nothing.
-  const WeightedPlace estimate = estimate_deepest(contact, thickness, candidate.weight);
-  const SegmentPlace place = !is_large_sphere_ ? find_deepest(parts_[part], piece, contact, thickness, candidate.weight)
-                             : estimate.is_nearest ? contact.nearest
-                                                   : place_on_segment(parts_[part], piece, estimate.t);
-  const WeightedPlace found{place.t, candidate.weight.at(place.t), thickness - place.distance};
-  if (!(found.weight > 0)) return;
-  CordTouch* touch =
-      claim(meeting.element, meeting.part, holder, is_apart ? score_apart(found) : found.score(), touches);
-  if (touch == nullptr) return;
-  touch->segment = candidate.segment;
-  touch->t = place.t;
-  touch->share = found.weight;
-  touch->penetration = radius - place.distance;
-  touch->normal = symmetric_product(meeting.body->rigid().rotation(), place.normal);
-  touch->point = meeting.world[segment] + place.t * (meeting.world[segment + 1] - meeting.world[segment]);
-}
-
-// At a node, the side with the higher score bears the force. Returns the touch to be filled in, or null where the other
-// side has a higher score.
-CordTouch* ContactSearch::claim(std::int32_t element, std::int32_t part, int place, double score,
-                                std::vector<CordTouch>& touches) {
-  const auto i = static_cast<std::size_t>(element);
-  std::vector<std::int32_t>& of_part = holder_touch_[static_cast<std::size_t>(part)];
-  if (of_part.empty()) of_part.assign(holder_count(), -1);
-  const std::size_t holder = holder_index(element, place);
-  CordTouch* touch = nullptr;
-  if (of_part[holder] < 0) {
-    of_part[holder] = static_cast<std::int32_t>(open_.size());
-    open_.emplace_back().best = static_cast<std::int32_t>(touches.size());
-    taken_.emplace_back(part, holder);
-    touch = &touches.emplace_back();
-    touch->first_element = element;
-    touch->first_place = place;
-    touch->part = part;
-    touch->holder = static_cast<std::int32_t>(holder);
-  } else {
-    touch = &touches[static_cast<std::size_t>(open_[static_cast<std::size_t>(of_part[holder])].best)];
-    if (!(score > touch->score)) return nullptr;
-  }
-  touch->element = element;
-  touch->is_cord_end = (place == 0 && previous_[i] < 0) || (place == pieces_ && next_[i] < 0);
-  touch->score = score;
-  return touch;
 }
 
 }  // namespace netpocket

@@ -70,7 +70,7 @@ ContactSolver::ContactSolver(const Model& model, const CoordinateLayout& layout)
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     ContactSearch search(model, next, static_cast<std::int32_t>(b));
     ContactLaws laws(model, static_cast<std::int32_t>(b), search);
-    SpringOffsets offsets(search.parts().size(), search.holder_count());
+    SpringOffsets offsets(search.parts().size(), search.holders().count());
     partners_.push_back({.search = std::move(search), .laws = std::move(laws), .offsets = std::move(offsets)});
   }
 }
@@ -271,7 +271,7 @@ void ContactSolver::apply_offsets(Partner& partner, double body_mass) {
     depth = std::max(depth, block.penetration[lane]);
   });
   for (auto& [place, depth] : deepest) {
-    depth = partner.offsets.follow(place, depth, partner.search.neighbours(place.second), partner.way);
+    depth = partner.offsets.follow(place, depth, partner.search.holders().neighbours(place.second), partner.way);
   }
   for_each_of_partner([&](ContactBlock& block, int lane, const SpringOffsets::Place& place) {
     const double depth = block.penetration[lane], offset = std::min(deepest[place], std::max(depth, 0.0));

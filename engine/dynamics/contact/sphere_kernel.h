@@ -8,7 +8,7 @@
 
 namespace netpocket {
 
-// Places of eight elements at one of their holders of contact (contact_search.h). Rows are ordered by lane.
+// Places of eight elements at one of their holders of contact (contact_holders.h). Rows are ordered by lane.
 struct alignas(64) TouchRows {
   TouchRows() {}  // not defaulted: with that, all rows would first be set to zero
 

@@ -2,7 +2,7 @@
 // The places where cords touch a large sphere, in blocks of eight elements. Internal to ContactSearch and
 // ContactSolver.
 //
-// Elements that continue each other share the holder of contact at their node (contact_search.h). The one whose place
+// Elements that continue each other share the holder of contact at their node (contact_holders.h). The one whose place
 // was found first has it, in the lane that this element has in its block. The other one's place replaces it if its
 // score is higher. Mostly the eight lanes of a block continue in the same lanes of another block (the eight sectors),
 // so whole rows are compared.

@@ -79,6 +79,24 @@ TEST(TargetMeetsSpacecraft, ApartTheyChangeNoBit) {
   EXPECT_EQ(a.channels, b.channels);
 }
 
+// The elements of a finely divided rod are shorter than the rod is thick. Where it stands on the spacecraft, its second
+// element lies in the face, which is no contact.
+TEST(RodsOnTheSpacecraft, DoNotTouchTheFaceTheyStandOn) {
+  Scenario scenario;
+  scenario.pocket.mesh_columns = scenario.pocket.mesh_rows = 2;
+  scenario.rods.elements_per_side = 70;
+  Simulation simulation(scenario);
+  const Structure& structure = simulation.structure();
+  const auto rod = std::ranges::find(structure.elements, 0.05, &StructureElement::radius);
+  ASSERT_NE(rod, structure.elements.end());
+  ASSERT_LT(rod->length, 0.06);
+  const double step = simulation.statistics().time_step;
+  ASSERT_EQ(simulation.advance(200 * step).reason, RunReason::finished);
+  EXPECT_EQ(simulation.snapshot().contacts.size(), 0U);
+  EXPECT_EQ(simulation.snapshot().channel(Channel::penetration_max), 0);
+  EXPECT_LE(simulation.statistics().steps, 210);  // none was shortened
+}
+
 TEST(TargetMeetsSpacecraft, ResumesInTheMidstOfIt) {
   const Scenario scenario = thrown_at_the_spacecraft(TargetShape::box);
   Simulation simulation(scenario);
