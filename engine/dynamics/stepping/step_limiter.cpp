@@ -12,8 +12,9 @@ constexpr double kDeep = 0.015, kShallow = 0.004, kDeepest = 0.05;
 // become a third as deep.
 constexpr double kShortening = 0.35;
 constexpr double kLeastForContacts = 0.02;
-// Steps grow also where springs bear less than this part of what the softest ones bear. Contacts may then still be
-// deep, because stiffer springs begin where the softer ones were.
+// Steps grow also where springs bear less than this part of what those for the longer steps bear. Contacts may then
+// still be deep, because stiffer springs begin where the softer ones were. What springs bear at their greatest depth
+// grows with their stiffness, which is inversely proportional to the square of the step.
 constexpr double kBorne = 0.2;
 // Largest squared phase of a spring in a step (force_law.h) with which steps grow again, and the factor by which.
 constexpr double kWellResolvedPhase = 0.5, kLengthening = 1.4;
@@ -44,11 +45,12 @@ void StepLimiter::follow_contacts() {
   const double deepest = std::exchange(deepest_, 0.0), load = std::exchange(load_, kUnknown);
   const double compression = std::exchange(compression_, kUnknown);
   const bool has_blow = std::exchange(has_blow_, false), exhausted = for_load_ <= kLeastForContacts;
+  const double longer = std::min(1.0, for_load_ / kShortening);
   overload_ = exhausted && deepest > kDeepest ? deepest : 0;
   if (deepest > kDeep && compression > kShallow) {
     for_load_ = std::max(kLeastForContacts, kShortening * for_load_);
-  } else if (deepest < kShallow || (!has_blow && load < kBorne)) {
-    for_load_ = std::min(1.0, for_load_ / kShortening);
+  } else if (deepest < kShallow || (!has_blow && load * longer * longer < kBorne)) {
+    for_load_ = longer;
   }
   const double next_squared_phase = kLengthening * kLengthening * std::exchange(largest_squared_phase_, 0.0);
   if (next_squared_phase < kWellResolvedPhase) for_springs_ = std::min(1.0, kLengthening * for_springs_);

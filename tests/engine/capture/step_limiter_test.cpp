@@ -90,6 +90,26 @@ TEST(StepLimiter, GrowsAgainAfterABlowWhenSoftSpringsBearTheLoad) {
   EXPECT_EQ(limiter.factor(), 1);
 }
 
+// A load that the softest springs cannot bear well needs shorter steps than theirs, but not the shortest.
+TEST(StepLimiter, GrowsAfterBlowsAsFarAsLongerStepsBearTheLoad) {
+  StepLimiter limiter;
+  for (int i = 0; i < 10; ++i) limiter.note_blow();
+  EXPECT_EQ(limiter.factor(), 0.02);
+  const auto last_factor_under = [&](double load) {
+    for (int i = 0; i < 10; ++i) {
+      limiter.note_springs(load, 1e-3);
+      stretch(limiter, 0.01);
+    }
+    return limiter.factor();
+  };
+  last_factor_under(0.9);  // also ends the interval of the blows
+  const double factor = last_factor_under(0.9);
+  EXPECT_LT(0.9 * factor * factor, 0.2);  // of what springs for these steps bear
+  EXPECT_LT(factor, 1);
+  EXPECT_GT(factor, 0.35 * std::sqrt(0.2 / 0.9));
+  EXPECT_EQ(last_factor_under(0.19), 1);
+}
+
 // Springs that became stiffer leave cords as deep as they were, but bear more.
 TEST(StepLimiter, ShortensNoFurtherWhereStifferSpringsBearTheLoad) {
   StepLimiter limiter;

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "engine/ancf/mass.h"
+#include "engine/ancf/mean_strain_element.h"
 #include "engine/ancf/variable_length.h"
 #include "engine/contact/force_law.h"
 #include "engine/dynamics/assembly/coordinate_vectors.h"
