@@ -14,6 +14,8 @@ constexpr std::int32_t kLeafSize = 4;
 constexpr std::size_t kStackSize = 64;
 // Factor that covers the rounding of squared distances to boxes and triangles.
 constexpr double kRounding = 1 + 1e-12;
+// The same for distances to planes, whose rounding grows with the distance of a segment from the triangle's corner.
+constexpr double kSafeRounding = 1 + 1e-6;
 
 float below(double value) { return std::nextafter(static_cast<float>(value), -HUGE_VALF); }
 float above(double value) { return std::nextafter(static_cast<float>(value), HUGE_VALF); }
@@ -35,6 +37,20 @@ double crossing_of(const Segment& segment, const TriangleTree::Corners& corners)
   const Vector3d third = from.cross(ab);
   const double v = along.dot(third) / determinant, t = ac.dot(third) / determinant;
   return u >= 0 && v >= 0 && u + v <= 1 && t >= 0 && t <= 1 ? t : -1;
+}
+
+// Whether a segment is farther than `reach` (m) from a triangle: for certain if from its plane or its box. Costs a
+// tenth of nearest_to_triangle.
+bool is_surely_beyond(const Segment& segment, const Eigen::AlignedBox3d& box, const TriangleTree::Corners& corners,
+                      double reach) {
+  const Vector3d ab = corners[1] - corners[0], ac = corners[2] - corners[0];
+  const Vector3d normal = ab.cross(ac);
+  const double start = normal.dot(segment.start - corners[0]), end = normal.dot(segment.end - corners[0]);
+  const double nearest = std::min(std::abs(start), std::abs(end));
+  if (start * end > 0 && nearest * nearest > reach * reach * normal.squaredNorm() * kSafeRounding) return true;
+  const Vector3d low = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]) - box.max();
+  const Vector3d high = box.min() - corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
+  return low.cwiseMax(high).cwiseMax(0.0).squaredNorm() > reach * reach * kSafeRounding;
 }
 
 // Nearest place of a segment to a triangle: the crossing, or else the best of the segment's ends and the places nearest
@@ -241,7 +257,9 @@ SegmentHit TriangleTree::nearest_to_segment(const Segment& segment, double reach
     const Node& node = nodes_[static_cast<std::size_t>(stack[--size])];
     if (!(least_distance(node, box) <= limit * kRounding)) continue;
     for (std::int32_t place = node.first; place < node.first + node.count; ++place) {
-      const SegmentHit found = nearest_to_triangle(segment, corners_[static_cast<std::size_t>(place)]);
+      const Corners& corners = corners_[static_cast<std::size_t>(place)];
+      if (is_surely_beyond(segment, box, corners, limit)) continue;
+      const SegmentHit found = nearest_to_triangle(segment, corners);
       if (found.distance > limit || found.distance >= best.distance) continue;
       best = found;
       limit = found.distance;

@@ -74,13 +74,14 @@ SegmentContact nearest_to_sphere(const ContactPart& part, double radius, const S
 }
 
 // Outside the mesh, the triangle nearest to the piece gives the nearest place. If the axis has entered the mesh, the
-// deepest of a few places is taken. The distance of the start bounds the search.
+// deepest of a few places is taken. The distances of the ends bound the search.
 SegmentContact nearest_to_mesh(const ContactPart& part, const TriangleMesh& mesh, const Segment& segment,
                                const Ends& ends, double reach) {
   constexpr int kPieces = 8;
   const Segment local{segment.start - part.centre, segment.end - part.centre};
   const Trial start = trial_of(*ends[0], segment, 0), end = trial_of(*ends[1], segment, 1);
-  const SegmentHit hit = mesh.tree().nearest_to_segment(local, std::abs(start.distance) + kTolerance);
+  const double of_ends = std::min(std::abs(start.distance), std::abs(end.distance));
+  const SegmentHit hit = mesh.tree().nearest_to_segment(local, of_ends + kTolerance);
   SegmentContact result;
   if (start.distance > 0 && hit.distance > reach) {
     result.distance = std::min(hit.distance, start.distance);
