@@ -110,6 +110,16 @@ TEST(StepLimiter, GrowsAfterBlowsAsFarAsLongerStepsBearTheLoad) {
   EXPECT_EQ(last_factor_under(0.19), 1);
 }
 
+TEST(StepLimiter, StaysShortUnderALoadThatHasPressedCordsDeep) {
+  StepLimiter limiter;
+  for (int i = 0; i < 10; ++i) limiter.note_blow();
+  for (int i = 0; i < 10; ++i) {
+    limiter.note_springs(0.9, 1e-3);
+    stretch(limiter, 0.016);
+  }
+  EXPECT_EQ(limiter.factor(), 0.02);
+}
+
 // Springs that became stiffer leave cords as deep as they were, but bear more.
 TEST(StepLimiter, ShortensNoFurtherWhereStifferSpringsBearTheLoad) {
   StepLimiter limiter;
