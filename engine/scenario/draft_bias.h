@@ -19,7 +19,7 @@ inline constexpr DraftBias kDraftBias = {
     .captures = 512,
     .probability = {-0.0039062, 0.0066143},
     .first_contact = {-0.0234043, 0.0172759},
-    .impulse = {-0.0232734, 0.0199991},
+    .impulse = {-0.0213571, 0.0267255},
 };
 
 }  // namespace netpocket
