@@ -12,7 +12,7 @@ int ContactHolders::capsules_of_a_piece() const { return CordPolyline::kSegments
 
 // An element owns the holders at its first node and inside it, and at its second node only where its cord ends.
 std::size_t ContactHolders::index(std::int32_t element, int place) const {
-  const auto holders = static_cast<std::size_t>(pieces_ + 1);
+  const std::size_t holders = static_cast<std::size_t>(pieces_) + 1;
   const std::int32_t next = next_[static_cast<std::size_t>(element)];
   if (place == pieces_ && next >= 0) return static_cast<std::size_t>(next) * holders;
   return static_cast<std::size_t>(element) * holders + static_cast<std::size_t>(place);

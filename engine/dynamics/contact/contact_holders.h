@@ -25,7 +25,7 @@ class ContactHolders {
 
   int pieces() const { return pieces_; }
   int capsules_of_a_piece() const;
-  std::size_t count() const { return static_cast<std::size_t>(pieces_ + 1) * next_.size(); }
+  std::size_t count() const { return (static_cast<std::size_t>(pieces_) + 1) * next_.size(); }
   // `place`: of the element's holders, 0 to pieces(). Less than count(). Elements that continue each other share the
   // holder at their node.
   std::size_t index(std::int32_t element, int place) const;

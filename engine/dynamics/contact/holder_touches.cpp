@@ -15,6 +15,8 @@ double score_apart(const WeightedPlace& place) {
   return -1 / (std::numeric_limits<double>::min() + std::max(place.score(), 0.0));
 }
 
+constexpr std::size_t index_of(int number) { return static_cast<std::size_t>(number); }
+
 }  // namespace
 
 HolderTouches::HolderTouches(ContactHolders holders, std::size_t parts, bool is_large_sphere)
@@ -147,18 +149,18 @@ HolderTouches::Ends HolderTouches::add_capsules(const Meeting& meeting, const Si
   constexpr double kAtVertex = 1e-6;  // of a capsule's length
   const int segments = holders_.capsules_of_a_piece(), first = side.piece * segments;
   const auto touches_at = [&](int vertex) {
-    return meeting.vertices[static_cast<std::size_t>(first + vertex)].distance < meeting.radius;
+    return meeting.vertices[index_of(first + vertex)].distance < meeting.radius;
   };
   Ends ends{};
   for (int i = 0; i < segments; ++i) {
     if (!meeting.is_touching(first + i)) continue;
-    const auto segment = static_cast<std::size_t>(first + i);
+    const std::size_t segment = index_of(first + i);
     const PieceWeight weight{holders_.weight_at(side.is_before, i), holders_.weight_at(side.is_before, i + 1)};
     const SegmentPlace& place = meeting.deepest[side.is_before ? 1 : 0][segment];
     if (place.t < kAtVertex && touches_at(i)) {
-      ++ends[static_cast<std::size_t>(i)];
+      ++ends[index_of(i)];
     } else if (place.t > 1 - kAtVertex && touches_at(i + 1)) {
-      ++ends[static_cast<std::size_t>(i + 1)];
+      ++ends[index_of(i + 1)];
     } else {
       add_place(meeting, side, {first + i, place, weight.at(place.t), 1, 1 + i});
     }
@@ -171,12 +173,12 @@ void HolderTouches::add_vertices(const Meeting& meeting, const Side& side, const
   const int segments = holders_.capsules_of_a_piece(), first = side.piece * segments,
             own = side.is_before ? segments : 0;
   const auto place_at = [&](int vertex) {
-    const SurfacePoint& found = meeting.vertices[static_cast<std::size_t>(first + vertex)];
+    const SurfacePoint& found = meeting.vertices[index_of(first + vertex)];
     return SegmentPlace{vertex == segments ? 1.0 : 0.0, found.distance, found.normal};
   };
   for (int i = 1; i < segments; ++i) {
     const SegmentPlace place = place_at(i);
-    const int count = ends[static_cast<std::size_t>(i)] - 1;
+    const int count = ends[index_of(i)] - 1;
     if (count == 0 || !(place.distance < meeting.radius)) continue;
     add_place(meeting, side,
               {first + i, place, holders_.weight_at(side.is_before, i), count, 1 + CordPolyline::kSegments + i});
@@ -186,7 +188,7 @@ void HolderTouches::add_vertices(const Meeting& meeting, const Side& side, const
   add_place(meeting, side, {side.is_before ? first + own - 1 : first, at_holder, 1, 0, 0});
   Open& entry = open(meeting.part, holders_.index(meeting.element, side.place));
   ++entry.sides;
-  entry.ends += ends[static_cast<std::size_t>(own)];
+  entry.ends += ends[index_of(own)];
 }
 
 void HolderTouches::add_place(const Meeting& meeting, const Side& side, const CountedPlace& counted) {
