@@ -64,6 +64,7 @@ struct Simulation::Impl {
         channels(capture_system.spacecraft, capture_system.target),
         step_choice(system) {
     for (SystemController& c : capture_system.controllers) controls.add(std::move(c.controller), c.period);
+    if (scenario.solver.fidelity == Fidelity::draft) step_choice.limiter().grow_under_loads();
     perturb();
   }
 

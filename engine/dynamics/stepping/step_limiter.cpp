@@ -12,10 +12,11 @@ constexpr double kDeep = 0.015, kShallow = 0.004, kDeepest = 0.05;
 // become a third as deep.
 constexpr double kShortening = 0.35;
 constexpr double kLeastForContacts = 0.02;
-// Steps grow also where springs bear less than this part of what those for the longer steps bear. Contacts may then
-// still be deep, because stiffer springs begin where the softer ones were. What springs bear at their greatest depth
-// grows with their stiffness, which is inversely proportional to the square of the step. Above kDeep the softest
-// springs have to bear it: each change between soft and stiff springs presses a loaded cord deeper.
+// Steps grow also where springs bear less than this part of what the softest ones bear. Contacts may then still be
+// deep, because stiffer springs begin where the softer ones were. After grow_under_loads, the springs of the longer
+// steps count instead. What springs bear at their greatest depth grows with their stiffness, which is inversely
+// proportional to the square of the step. Above kDeep the softest springs count there too: each change between soft and
+// stiff springs presses a loaded cord deeper.
 constexpr double kBorne = 0.2;
 // Largest squared phase of a spring in a step (force_law.h) with which steps grow again, and the factor by which.
 constexpr double kWellResolvedPhase = 0.5, kLengthening = 1.4;
@@ -47,10 +48,11 @@ void StepLimiter::follow_contacts() {
   const double compression = std::exchange(compression_, kUnknown);
   const bool has_blow = std::exchange(has_blow_, false), exhausted = for_load_ <= kLeastForContacts;
   const double longer = std::min(1.0, for_load_ / kShortening);
+  const double part = grows_under_loads_ && deepest < kDeep ? longer * longer : 1;
   overload_ = exhausted && deepest > kDeepest ? deepest : 0;
   if (deepest > kDeep && compression > kShallow) {
     for_load_ = std::max(kLeastForContacts, kShortening * for_load_);
-  } else if (deepest < kShallow || (!has_blow && (deepest < kDeep ? longer * longer : 1) * load < kBorne)) {
+  } else if (deepest < kShallow || (!has_blow && part * load < kBorne)) {
     for_load_ = longer;
   }
   const double next_squared_phase = kLengthening * kLengthening * std::exchange(largest_squared_phase_, 0.0);

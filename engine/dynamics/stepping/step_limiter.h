@@ -25,6 +25,9 @@ class StepLimiter {
   void note_penetration(double depth) { deepest_ = std::max(deepest_, depth); }
   // To be called after a step in which contacts were stopped at their greatest depth. Halves the next steps.
   void note_blow();
+  // Lets steps grow under a load that stays, as far as springs of the longer steps bear it. Faster, and less accurate:
+  // springs that change under a load cost some of its energy.
+  void grow_under_loads() { grows_under_loads_ = true; }
   // Whether springs are stiffer than usual because of a load. note_springs is then to be told what they bear.
   bool is_for_load() const { return for_load_ < 1; }
   // Largest force of a spring in the step just made by what the softest springs bear, and largest compression (m).
@@ -63,7 +66,8 @@ class StepLimiter {
   double load_ = kUnknown, compression_ = kUnknown;  // likewise
   bool has_blow_ = false;                            // likewise
   double for_load_ = 1, for_springs_ = 1, for_energy_ = 1;
-  double overload_ = 0;  // m
+  bool grows_under_loads_ = false;  // not of the state: a setting
+  double overload_ = 0;             // m
 };
 
 }  // namespace netpocket

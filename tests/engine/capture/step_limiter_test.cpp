@@ -90,9 +90,10 @@ TEST(StepLimiter, GrowsAgainAfterABlowWhenSoftSpringsBearTheLoad) {
   EXPECT_EQ(limiter.factor(), 1);
 }
 
-// A load that the softest springs cannot bear well needs shorter steps than theirs, but not the shortest.
+// In drafts: a load that the softest springs cannot bear well needs shorter steps than theirs, but not the shortest.
 TEST(StepLimiter, GrowsAfterBlowsAsFarAsLongerStepsBearTheLoad) {
   StepLimiter limiter;
+  limiter.grow_under_loads();
   for (int i = 0; i < 10; ++i) limiter.note_blow();
   EXPECT_EQ(limiter.factor(), 0.02);
   const auto last_factor_under = [&](double load) {
@@ -112,6 +113,7 @@ TEST(StepLimiter, GrowsAfterBlowsAsFarAsLongerStepsBearTheLoad) {
 
 TEST(StepLimiter, StaysShortUnderALoadThatHasPressedCordsDeep) {
   StepLimiter limiter;
+  limiter.grow_under_loads();
   for (int i = 0; i < 10; ++i) limiter.note_blow();
   for (int i = 0; i < 10; ++i) {
     limiter.note_springs(0.9, 1e-3);
